@@ -61,6 +61,14 @@ Covariance weightedCovariance(std::span<const float> loads, const FrameShape& sh
     return {xx - x * x / total, xy - x * y / total, yy - y * y / total, total / freedom};
 }
 
+double axisAngle_rad(double xy, double difference) {
+    // Adding 0 turns -0 into 0, so that the angle is pi and not -pi; the smallest negative angles round to
+    // -pi, too.
+    const double angle_rad = 0.5 * std::atan2(2.0 * xy + 0.0, difference);
+    constexpr double kQuarterTurn_rad = 0.5 * std::numbers::pi;
+    return angle_rad > -kQuarterTurn_rad ? angle_rad : kQuarterTurn_rad;
+}
+
 PrincipalAxis principalAxis(const Covariance& covariance) {
     const auto& [xx, xy, yy, scale] = covariance;
     const double trace = xx + yy;
@@ -71,13 +79,8 @@ PrincipalAxis principalAxis(const Covariance& covariance) {
     const double smaller = std::max(0.0, differenceOfProducts(xx, yy, xy, xy)) / larger;
 
     PrincipalAxis axis{.lambda1 = larger * scale, .lambda2 = smaller * scale, .angle_rad = {}};
-    if (root > kIsotropy * trace) {
-        // Adding 0 turns -0 into 0, so that the angle is pi and not -pi; the smallest negative angles round
-        // to -pi, too.
-        const double angle_rad = 0.5 * std::atan2(2.0 * xy + 0.0, difference);
-        constexpr double kQuarterTurn_rad = 0.5 * std::numbers::pi;
-        axis.angle_rad = angle_rad > -kQuarterTurn_rad ? angle_rad : kQuarterTurn_rad;
-    }
+    if (root > kIsotropy * trace)
+        axis.angle_rad = axisAngle_rad(xy, difference);
     return axis;
 }
 

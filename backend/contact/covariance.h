@@ -38,6 +38,10 @@ struct PrincipalAxis {
 /// A contact whose eigenvalues differ by less than this share of their sum has no axis.
 constexpr double kIsotropy = 1e-9;
 
+/// Direction of the first principal axis of a covariance with xx - yy = difference, in (-pi/2, pi/2]:
+///   atan2(2 xy, difference) / 2
+[[nodiscard]] double axisAngle_rad(double xy, double difference);
+
 /// Eigenvalues and first principal axis in closed form:
 ///   lambda_1 = (xx + yy + hypot(xx - yy, 2 xy)) / 2,  lambda_2 = (xx yy - xy^2) / lambda_1,
 ///   angle = atan2(2 xy, xx - yy) / 2

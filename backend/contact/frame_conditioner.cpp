@@ -25,6 +25,7 @@ FrameConditioner::FrameConditioner(std::size_t taxels, ConditioningSettings sett
     m_dead.resize(taxels, 0);
     m_isPlain = std::ranges::all_of(m_tare, [](float tare) { return tare == 0.0F; }) &&
                 std::ranges::all_of(m_gain, [](double gain) { return gain == 1.0; });
+    m_anyDead = std::ranges::any_of(m_dead, [](std::uint8_t dead) { return dead != 0; });
 }
 
 template <bool isPlain>

@@ -33,6 +33,9 @@ public:
     std::size_t apply(std::span<const float> raw, std::span<float> load_N,
                       std::span<std::uint8_t> dead) const;
 
+    /// Whether the loads of a frame whose values are finite and >= 0 are these values.
+    [[nodiscard]] bool changesNothing() const { return m_isPlain && !m_anyDead; }
+
     [[nodiscard]] const ConditioningSettings& settings() const { return m_settings; }
 
 private:
@@ -44,6 +47,7 @@ private:
     std::vector<double> m_gain;       ///< load per raw unit, with its sign
     std::vector<std::uint8_t> m_dead; ///< the mask of the settings, or zeros
     bool m_isPlain = false;           ///< every tare is 0 and every gain 1: the loads are the raw values
+    bool m_anyDead = false;
 };
 
 } // namespace teleta::contact

@@ -53,6 +53,10 @@ int FeatureExtractor::clean(std::span<const float> load_N, std::span<const std::
     return static_cast<int>(load_N.size() - m_usable.size());
 }
 
+float FeatureExtractor::activeFrom_N() const {
+    return usableThreshold(m_settings.threshold_N);
+}
+
 TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::span<const std::uint8_t> dead) {
     TactileFeatures features;
     features.threshold_N = m_settings.threshold_N;
@@ -66,7 +70,7 @@ TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::sp
     const bool activeOnly = m_settings.range == MomentRange::active;
     const bool plain = m_stride == static_cast<std::size_t>(m_layout.columns) &&
                        !m_settings.automaticThreshold && !anySet(dead);
-    float threshold_N = usableThreshold(m_settings.threshold_N);
+    float threshold_N = activeFrom_N();
     FrameShape shape{m_layout.rows, m_layout.columns, m_layout.columns};
     std::span<const float> values = load_N;
     FrameMoments moments;
@@ -99,27 +103,18 @@ TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::sp
             pitch_m * (static_cast<double>(2 * moments.y - moments.active * (m_layout.rows - 1)) / twice);
         features.dzmpX_m = *features.copY_m - *features.cocY_m;
         features.dzmpY_m = *features.copX_m - *features.cocX_m;
-        features.type = ContactType::point;
     }
+    PrincipalAxis axis;
     if (moments.active > 1) {
         const bool weighted = m_settings.orientation == OrientationMode::weighted;
-        const PrincipalAxis axis = principalAxis(weighted ? weightedCovariance(values, shape, threshold_N)
-                                                          : binarisedCovariance(moments));
+        axis = principalAxis(weighted ? weightedCovariance(values, shape, threshold_N)
+                                      : binarisedCovariance(moments));
         features.lambda1_m2 = axis.lambda1 * pitch_m * pitch_m;
         features.lambda2_m2 = axis.lambda2 * pitch_m * pitch_m;
         features.alphaZ_rad = axis.angle_rad;
-        features.type = classify(axis.lambda1, axis.lambda2);
     }
-    m_previous = features.type;
+    features.type = typeOf(moments.active, axis.lambda1, axis.lambda2);
     return features;
-}
-
-ContactType FeatureExtractor::classify(double lambda1, double lambda2) const {
-    if (m_previous == ContactType::edge) {
-        const double ratio = std::min(m_settings.pointRatio, m_settings.edgeRatio);
-        return lambda1 >= ratio * lambda2 ? ContactType::edge : ContactType::point;
-    }
-    return lambda1 > m_settings.edgeRatio * lambda2 ? ContactType::edge : ContactType::point;
 }
 
 } // namespace teleta::contact

@@ -74,6 +74,18 @@ public:
     [[nodiscard]] TactileFeatures compute(std::span<const float> load_N,
                                           std::span<const std::uint8_t> dead = {});
 
+    /// The least load that is active by the settings' own threshold.
+    [[nodiscard]] float activeFrom_N() const;
+
+    /// The type of the next frame's contact, after that of the frame before. lambda1, lambda2: the
+    /// eigenvalues in taxels^2, of two active taxels or more.
+    ContactType typeOf(std::int64_t active, double lambda1, double lambda2) {
+        m_previous = active > 1    ? classify(lambda1, lambda2)
+                     : active == 1 ? ContactType::point
+                                   : ContactType::none;
+        return m_previous;
+    }
+
     void setSettings(const FeatureSettings& settings) { m_settings = settings; }
     [[nodiscard]] const FeatureSettings& settings() const { return m_settings; }
     void reset() { m_previous = ContactType::none; }
@@ -81,7 +93,14 @@ public:
 private:
     int clean(std::span<const float> load_N, std::span<const std::uint8_t> dead);
 
-    [[nodiscard]] ContactType classify(double lambda1, double lambda2) const;
+    [[nodiscard]] ContactType classify(double lambda1, double lambda2) const {
+        if (m_previous == ContactType::edge) {
+            const double ratio =
+                m_settings.pointRatio < m_settings.edgeRatio ? m_settings.pointRatio : m_settings.edgeRatio;
+            return lambda1 >= ratio * lambda2 ? ContactType::edge : ContactType::point;
+        }
+        return lambda1 > m_settings.edgeRatio * lambda2 ? ContactType::edge : ContactType::point;
+    }
 
     core::ArrayLayout m_layout;
     FeatureSettings m_settings;

@@ -4,6 +4,7 @@
 // shipped scenes, one thread. Before timing, the answers are checked to be equal. A table at the end compares
 // the medians with the required ratios.
 #include "backend/contact/contact_segmenter.h"
+#include "backend/contact/feature_batch.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
@@ -468,6 +469,30 @@ void compareFeatures(std::vector<Comparison>& comparisons) {
         const cv::Mat mask = activeMask(images.grey[i]);
         benchmark::DoNotOptimize(openCvFeatures(frames.layout, images.grey[i], mask, activePoints(mask)));
     });
+    // All frames of a pass at once, the work of the first one.
+    static contact::FeatureBatch batch(frames.layout, {});
+    static std::vector<contact::ContactType> types(kFrames);
+    static std::vector<double> numbers(11 * kFrames);
+    static std::vector<std::int64_t> active(kFrames);
+    const auto column = [](std::size_t i) { return std::span(numbers).subspan(i * kFrames, kFrames); };
+    static const contact::FeatureArrays arrays{types,     column(0),  column(1), column(2), column(3),
+                                               column(4), column(5),  column(6), column(7), column(8),
+                                               column(9), column(10), active};
+    registerRun("features/atOnce", [](std::size_t i) {
+        if (i == 0) {
+            batch.compute(frames.load_N, arrays);
+            benchmark::ClobberMemory();
+        }
+    });
+    static const contact::FrameConditioner conditioner(frames.layout.taxels(), {});
+    registerRun("features/oneByOne", [](std::size_t i) {
+        static std::vector<float> load_N(frames.layout.taxels());
+        static std::vector<std::uint8_t> dead(frames.layout.taxels());
+        const bool anyDead = conditioner.apply(frames.load(i), load_N, dead) > 0;
+        arrays.set(i, features.compute(load_N, anyDead ? dead : std::span<const std::uint8_t>()));
+    });
+    comparisons.push_back({"features 6 x 14: frames at once, over one by one as tables", "features/atOnce",
+                           "features/oneByOne", 2.0});
     comparisons.push_back(
         {"features 6 x 14: moments twice, PCACompute", "features/ours", "features/openCv", kFeatureRatio});
     comparisons.push_back({"features 6 x 14: the same with binary image, coordinates", "features/ours",

@@ -48,10 +48,15 @@ template <std::size_t kLength>
 class WordColumn {
 public:
     void reserve(std::size_t words) { m_words.reserve(words); }
-    void add(std::string_view word) {
-        Word& last = m_words.emplace_back();
-        std::copy_n(word.begin(), std::min(word.size(), kLength), last.begin());
+    using Word = std::array<char32_t, kLength>; ///< as numpy keeps text; zeros fill the rest
+
+    [[nodiscard]] static Word wordOf(std::string_view text) {
+        Word word{};
+        std::copy_n(text.begin(), std::min(text.size(), kLength), word.begin());
+        return word;
     }
+    void add(const Word& word) { m_words.push_back(word); }
+    void add(std::string_view text) { add(wordOf(text)); }
     /// numpy's str_ array of them, one-dimensional. Needs the interpreter's lock.
     [[nodiscard]] py::array array() && {
         auto kept = std::make_unique<std::vector<Word>>(std::move(m_words));
@@ -64,7 +69,6 @@ public:
     }
 
 private:
-    using Word = std::array<char32_t, kLength>; ///< as numpy keeps text; zeros fill the rest
     std::vector<Word> m_words;
 };
 

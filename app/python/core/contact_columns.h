@@ -3,6 +3,7 @@
 
 #include "app/python/base/array_output.h"
 #include "backend/contact/contact_segmenter.h"
+#include "backend/contact/feature_batch.h"
 #include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
 
@@ -18,8 +19,8 @@
 
 namespace teleta::python {
 
-/// The columns of `teleta features` without the time, one entry a frame. add() needs no lock, table() the
-/// interpreter's.
+/// The columns of `teleta features` without the time, one entry a frame. arrays() and addTypes() need no
+/// lock, the others the interpreter's.
 class FeatureColumns {
 public:
     static constexpr std::array<const char*, 10> kNumbers{
@@ -42,14 +43,34 @@ public:
                 orNaN(features.lambda2_m2)};
     }
 
-    /// The features of the next frame; at most as many as the constructor was told.
-    void add(const contact::TactileFeatures& features) {
-        const auto numbers = numbersOf(features);
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            m_numbers[i][m_added] = numbers[i];
-        m_active[m_added] = features.active;
-        m_types.add(contact::toString(features.type));
-        ++m_added;
+    /// Where the features of the frames from `first` on go, types and thresholds elsewhere.
+    [[nodiscard]] contact::FeatureArrays arrays(std::size_t first, std::span<contact::ContactType> types,
+                                                std::span<double> thresholds_N) {
+        const auto column = [&](std::size_t i) {
+            return std::span(m_numbers[i].get() + first, m_frames - first);
+        };
+        return {types,
+                column(0),
+                column(1),
+                column(2),
+                column(3),
+                column(4),
+                column(5),
+                column(6),
+                column(7),
+                column(8),
+                column(9),
+                thresholds_N,
+                {m_active.get() + first, m_frames - first}};
+    }
+    /// The types of the next frames; at most as many as the constructor was told.
+    void addTypes(std::span<const contact::ContactType> types) {
+        using contact::ContactType;
+        const std::array words{m_types.wordOf(toString(ContactType::none)),
+                               m_types.wordOf(toString(ContactType::point)),
+                               m_types.wordOf(toString(ContactType::edge))};
+        for (const ContactType type : types)
+            m_types.add(words[static_cast<std::size_t>(type)]);
     }
 
     /// Adds the columns to a table.
@@ -63,7 +84,6 @@ public:
 
 private:
     std::size_t m_frames;
-    std::size_t m_added = 0;
     WordColumn<5> m_types;
     std::array<std::unique_ptr<double[]>, kNumbers.size()> m_numbers;
     std::unique_ptr<std::int64_t[]> m_active;

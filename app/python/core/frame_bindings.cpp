@@ -39,27 +39,30 @@ py::dict features(const py::object& frames, double pitch_m, const py::dict& argu
                   const py::object& time_s) {
     const FrameInput input = FrameInput::read(frames, pitch_m);
     std::vector<double> times_s = frameTimes(time_s, input.count);
-    const contact::FrameConditioner conditioner(input.layout.taxels(),
-                                                conditioningOf(arguments, input.layout));
-    contact::FeatureExtractor extractor(input.layout, featureSettingsOf(arguments));
+    const std::size_t taxels = input.layout.taxels();
+    const contact::ConditioningSettings conditioning = conditioningOf(arguments, input.layout);
+    contact::FeatureBatch batch(input.layout, conditioning, featureSettingsOf(arguments));
     const SummitArguments summit = summitArgumentsOf(arguments);
     FeatureColumns columns(input.count);
     SummitColumns summits;
     LongWork work;
     {
         const py::gil_scoped_release released;
-        std::vector<float> load_N(input.layout.taxels());
-        std::vector<std::uint8_t> dead(input.layout.taxels());
         const std::size_t pause = framesBetweenLooks(input.layout);
-        for (std::size_t i = 0; i < input.count; ++i) {
-            if (i % pause == 0 && !work.goOn())
-                break;
-            const bool anyDead = conditioner.apply(input.frame(i), load_N, dead) > 0;
-            const contact::TactileFeatures found =
-                extractor.compute(load_N, anyDead ? dead : std::span<const std::uint8_t>());
-            columns.add(found);
-            if (summit.wanted)
-                summits.add(contact::summitOf(load_N, input.layout, found.threshold_N, dead, summit.noise_N));
+        std::vector<contact::ContactType> types(std::min(pause, input.count));
+        std::vector<double> thresholds_N(types.size());
+        const contact::FrameConditioner conditioner(taxels, conditioning);
+        std::vector<float> load_N(taxels);
+        std::vector<std::uint8_t> dead(taxels);
+        for (std::size_t first = 0; first < input.count && work.goOn(); first += pause) {
+            const std::size_t count = std::min(pause, input.count - first);
+            batch.compute({input.frame(first).data(), count * taxels},
+                          columns.arrays(first, types, thresholds_N));
+            columns.addTypes(std::span(types).first(count));
+            for (std::size_t i = 0; summit.wanted && i < count; ++i) {
+                conditioner.apply(input.frame(first + i), load_N, dead);
+                summits.add(contact::summitOf(load_N, input.layout, thresholds_N[i], dead, summit.noise_N));
+            }
         }
     }
     work.rethrow();
