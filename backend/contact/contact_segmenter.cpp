@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <functional>
 #include <limits>
 
 namespace teleta::contact {
@@ -26,6 +27,10 @@ double keyOf(float load, std::uint32_t taxel) {
     return std::bit_cast<double>(upper << 32 | lower);
 }
 
+std::int32_t taxelOf(double key) {
+    return static_cast<std::int32_t>(~static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key)));
+}
+
 double larger(double a, double b) {
     return a > b ? a : b;
 }
@@ -41,10 +46,9 @@ ContactSegmenter::ContactSegmenter(const core::ArrayLayout& layout, const Segmen
     : m_layout(layout)
     , m_settings(settings)
     , m_labels(layout.taxels(), 0)
-    , m_load(layout.taxels(), 0.0F)
     , m_active(roundUp(layout.taxels()), 0)
-    , m_key(layout.taxels() + 2, 0.0)
-    , m_rowMaximum(layout.taxels() + 2 * static_cast<std::size_t>(layout.columns), 0.0)
+    , m_key(static_cast<std::size_t>(layout.rows + 2) * static_cast<std::size_t>(layout.columns + 1) + 1, 0.0)
+    , m_rowMaximum(m_key.size(), 0.0)
     , m_ascent(layout.taxels(), 0) {
     // Two summits are never neighbours.
     const auto summits =
@@ -60,9 +64,10 @@ ContactSegmenter::ContactSegmenter(const core::ArrayLayout& layout, const Segmen
 std::span<Contact> ContactSegmenter::segment(std::span<const float> load_N,
                                              std::span<const std::uint8_t> dead) {
     m_contacts.clear();
-    std::fill(m_labels.begin(), m_labels.end(), 0);
+    forgetLastFrame();
     if (load_N.size() != m_labels.size())
         return m_contacts;
+    m_load = load_N.data();
     findActive(load_N, dead.size() == load_N.size() ? dead : std::span<const std::uint8_t>{});
     findRuns();
     if (m_runs.empty())
@@ -81,24 +86,36 @@ std::span<Contact> ContactSegmenter::segment(std::span<const float> load_N,
     return m_contacts;
 }
 
+/// Where the key of a taxel is: there is a zero between the rows, and a row of zeros above and below.
+std::size_t ContactSegmenter::placeOf(std::int32_t taxel, std::int32_t row) const {
+    return static_cast<std::size_t>(taxel + row + m_layout.columns + 2);
+}
+
+void ContactSegmenter::forgetLastFrame() {
+    for (const Run& run : m_runs) {
+        const std::int32_t taxels = run.end - run.begin;
+        const std::size_t place = placeOf(run.begin, run.row);
+        std::fill_n(m_labels.begin() + run.begin, taxels, 0);
+        std::fill_n(m_key.begin() + static_cast<std::ptrdiff_t>(place), taxels, 0.0);
+        std::fill_n(m_rowMaximum.begin() + static_cast<std::ptrdiff_t>(place) - 1, taxels + 2, 0.0);
+    }
+    m_runs.clear();
+}
+
 void ContactSegmenter::findActive(std::span<const float> load_N, std::span<const std::uint8_t> dead) {
     constexpr float kLargest = std::numeric_limits<float>::max();
     const auto setting = static_cast<float>(m_settings.threshold_N);
     const float threshold = setting > 0.0F ? setting : std::numeric_limits<float>::denorm_min();
     const std::size_t taxels = load_N.size();
-    float* const load = m_load.data();
+    const float* const load = load_N.data();
+    std::uint8_t* const active = m_active.data();
     for (std::size_t i = 0; i < taxels; ++i)
-        load[i] = (load_N[i] >= threshold) & (load_N[i] <= kLargest) ? load_N[i] : 0.0F;
+        active[i] = (load[i] >= threshold) & (load[i] <= kLargest) ? 255 : 0;
     for (std::size_t i = 0; i < dead.size(); ++i)
-        load[i] = dead[i] != 0 ? 0.0F : load[i];
-    for (std::size_t i = 0; i < taxels; ++i)
-        m_active[i] = load[i] > 0.0F ? 255 : 0;
-    for (std::size_t i = 0; i < taxels; ++i)
-        m_key[i + 1] = load[i] > 0.0F ? keyOf(load[i], static_cast<std::uint32_t>(i)) : 0.0;
+        active[i] = dead[i] != 0 ? 0 : active[i];
 }
 
 void ContactSegmenter::findRuns() {
-    m_runs.clear();
     const std::int32_t columns = m_layout.columns;
     std::int32_t row = 0;
     std::int32_t rowEnd = columns;
@@ -132,24 +149,34 @@ void ContactSegmenter::findRuns() {
 }
 
 void ContactSegmenter::findAscents() {
-    const std::size_t taxels = m_labels.size();
-    const auto columns = static_cast<std::size_t>(m_layout.columns);
-    const double* const key = m_key.data() + 1;
-    double* const maximum = m_rowMaximum.data() + columns;
-    for (std::size_t i = 0; i < taxels; ++i)
-        maximum[i] = larger(larger(m_key[i], m_key[i + 1]), m_key[i + 2]);
-    // The vector maximum at both ends of a row has read taxels of the adjacent rows.
-    for (std::size_t first = 0; first < taxels; first += columns) {
-        const std::size_t last = first + columns - 1;
-        maximum[first] = columns > 1 ? larger(key[first], key[first + 1]) : key[first];
-        maximum[last] = columns > 1 ? larger(key[last], key[last - 1]) : key[last];
+    for (const Run& run : m_runs) {
+        double* const key = m_key.data() + placeOf(run.begin, run.row);
+        const float* const load = m_load + run.begin;
+        const std::int32_t taxels = run.end - run.begin;
+        for (std::int32_t i = 0; i < taxels; ++i)
+            key[i] = keyOf(load[i], static_cast<std::uint32_t>(run.begin + i));
     }
-    const double* const above = m_rowMaximum.data();
-    const double* const below = maximum + columns;
-    for (std::size_t i = 0; i < taxels; ++i) {
-        const double highest = larger(larger(above[i], maximum[i]), below[i]);
-        m_ascent[i] =
-            static_cast<std::int32_t>(~static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(highest)));
+    // The taxels beside a run are looked at from the rows above and below. What is written into the border is
+    // never read.
+    for (const Run& run : m_runs) {
+        const std::size_t place = placeOf(run.begin, run.row);
+        const double* const key = m_key.data() + place;
+        double* const maximum = m_rowMaximum.data() + place;
+        const std::int32_t taxels = run.end - run.begin;
+        maximum[-1] = larger(key[-2], key[0]);
+        for (std::int32_t i = 0; i < taxels; ++i)
+            maximum[i] = larger(larger(key[i - 1], key[i]), key[i + 1]);
+        maximum[taxels] = larger(key[taxels - 1], key[taxels + 1]);
+    }
+    const std::ptrdiff_t stride = m_layout.columns + 1;
+    for (const Run& run : m_runs) {
+        const double* const maximum = m_rowMaximum.data() + placeOf(run.begin, run.row);
+        std::int32_t* const ascent = m_ascent.data() + run.begin;
+        const std::int32_t taxels = run.end - run.begin;
+        for (std::int32_t i = 0; i < taxels; ++i) {
+            const double highest = larger(larger(maximum[i - stride], maximum[i]), maximum[i + stride]);
+            ascent[i] = taxelOf(highest);
+        }
     }
 }
 
@@ -200,7 +227,7 @@ std::int32_t ContactSegmenter::climbFrom(std::int32_t taxel) {
 }
 
 bool ContactSegmenter::isHigher(std::int32_t taxel, std::int32_t other) const {
-    return m_key[static_cast<std::size_t>(taxel) + 1] > m_key[static_cast<std::size_t>(other) + 1];
+    return m_load[taxel] != m_load[other] ? m_load[taxel] > m_load[other] : taxel < other;
 }
 
 std::int32_t ContactSegmenter::rootOf(std::int32_t basin) {
@@ -236,10 +263,10 @@ void ContactSegmenter::findPasses(double height_N) {
         begin = end;
     }
 
-    std::sort(m_passes.begin(), m_passes.end(),
-              [&](std::int32_t a, std::int32_t b) { return isHigher(a, b); });
-    for (const std::int32_t pass : m_passes)
-        mergeOver(pass, height_N);
+    std::sort(m_passes.begin(), m_passes.end(), std::greater<>());
+    m_passes.erase(std::unique(m_passes.begin(), m_passes.end()), m_passes.end());
+    for (const double pass : m_passes)
+        mergeOver(taxelOf(pass), height_N);
 }
 
 void ContactSegmenter::addPasses(const Run& segment, const Run& below, double height_N) {
@@ -260,8 +287,8 @@ void ContactSegmenter::addPass(std::int32_t first, std::int32_t second, double h
     const std::int32_t pass = isHigher(first, second) ? second : first;
     const float summit =
         std::min(m_load[m_basins[m_labels[first] - 1].summit], m_load[m_basins[m_labels[second] - 1].summit]);
-    if (isNoise(summit, m_load[pass], height_N) && (m_passes.empty() || m_passes.back() != pass))
-        m_passes.push_back(pass);
+    if (isNoise(summit, m_load[pass], height_N))
+        m_passes.push_back(keyOf(m_load[pass], static_cast<std::uint32_t>(pass)));
 }
 
 /// Floods a pass: of the regions that meet there, those that rise too little are merged into the highest.
@@ -274,7 +301,7 @@ void ContactSegmenter::mergeOver(std::int32_t pass, double height_N) {
     for (std::int32_t r = std::max(0, row - 1); r <= std::min(m_layout.rows - 1, row + 1); ++r) {
         for (std::int32_t c = std::max(0, column - 1); c <= std::min(m_layout.columns - 1, column + 1); ++c) {
             const std::int32_t taxel = r * m_layout.columns + c;
-            if (taxel != pass && !isHigher(taxel, pass))
+            if (taxel != pass && (m_labels[taxel] == 0 || !isHigher(taxel, pass)))
                 continue;
             const std::int32_t region = rootOf(m_labels[taxel] - 1);
             meeting[count++] = region;

@@ -69,9 +69,11 @@ private:
         double load = 0.0, loadX = 0.0, loadY = 0.0; ///< sums of load, load times column, load times row
     };
 
+    void forgetLastFrame();
     void findActive(std::span<const float> load_N, std::span<const std::uint8_t> dead);
     void findRuns();
     void findAscents();
+    [[nodiscard]] std::size_t placeOf(std::int32_t taxel, std::int32_t row) const;
     void climb();
     [[nodiscard]] std::int32_t climbFrom(std::int32_t taxel);
     void findPasses(double height_N);
@@ -88,16 +90,20 @@ private:
     std::vector<std::int32_t> m_labels;
     std::vector<Contact> m_contacts;
 
-    // Working memory, allocated once for the worst case.
-    std::vector<float> m_load;          ///< 0 where a taxel is not active
+    const float* m_load = nullptr; ///< of the frame that is segmented; read where a taxel is active
+
+    // Working memory, allocated once for the worst case. Keys and maxima have a border of zeros, see
+    // placeOf(), and are 0 where no taxel is active: a frame undoes what it has written in the runs of the
+    // last one.
     std::vector<std::uint8_t> m_active; ///< 0 or 255
     std::vector<double> m_key;          ///< orders taxels by falling load, then by index
     std::vector<double> m_rowMaximum;   ///< largest key of a taxel and its neighbours in the row
-    std::vector<std::int32_t> m_ascent; ///< the highest of a taxel and its eight neighbours
+    std::vector<std::int32_t>
+        m_ascent; ///< the highest of a taxel and its eight neighbours; where it is active
     std::vector<Run> m_runs,
         m_segments; ///< runs of active taxels; runs of one basin, from the last to the first
     std::vector<Basin> m_basins;
-    std::vector<std::int32_t> m_passes;
+    std::vector<double> m_passes; ///< their keys
     std::vector<std::int32_t> m_order;
 };
 

@@ -294,16 +294,38 @@ TEST(ContactSegmenter, anArrayOfOneTaxelHasOneContactOrNone) {
 }
 
 TEST(ContactSegmenter, aFrameLeavesNothingBehindForTheNextOne) {
-    ContactSegmenter segmenter(kPaperArray);
     std::mt19937 random(5);
-    for (int trial = 0; trial < 200; ++trial) {
-        const Frame frame = randomFrame(random, kPaperArray, 0.02 * (trial % 50));
-        const std::span<Contact> contacts = segmenter.segment(frame.load_N);
-        const Segmentation fresh = segment(frame);
-        ASSERT_EQ(std::vector<std::int32_t>(segmenter.labels().begin(), segmenter.labels().end()),
-                  fresh.labels);
-        ASSERT_EQ(contacts.size(), fresh.contacts.size());
+    for (const core::ArrayLayout& layout :
+         {kPaperArray, core::ArrayLayout{1, 24, kPitch_m}, core::ArrayLayout{24, 1, kPitch_m},
+          core::ArrayLayout{3, 2, kPitch_m}}) {
+        ContactSegmenter segmenter(layout);
+        for (int trial = 0; trial < 200; ++trial) {
+            Frame frame = randomFrame(random, layout, 0.02 * (trial % 50));
+            std::vector<std::uint8_t> dead(layout.taxels(), 0);
+            if (trial % 3 == 0) {
+                std::uniform_int_distribution<std::size_t> taxel(0, layout.taxels() - 1);
+                for (const float value : {kNan, kInfinity, -1.0F})
+                    frame.load_N[taxel(random)] = value;
+                const std::size_t broken = taxel(random);
+                dead[broken] = 1;
+                frame.load_N[broken] = 100.0F;
+            }
+            const std::span<Contact> contacts = segmenter.segment(frame.load_N, dead);
+            const Segmentation fresh = segment(frame, {}, dead);
+            ASSERT_EQ(std::vector<std::int32_t>(segmenter.labels().begin(), segmenter.labels().end()),
+                      fresh.labels);
+            ASSERT_EQ(contacts.size(), fresh.contacts.size());
+        }
     }
+}
+
+// A dead taxel may hold any value; it is no way from one contact to another.
+TEST(ContactSegmenter, aHeavyDeadTaxelBesideAPassJoinsNothing) {
+    Frame frame({2, 3, kPitch_m});
+    frame.load_N = {2.0F, 0.5F, 2.0F, 0.0F, 50.0F, 0.0F};
+    const Segmentation result = segment(frame, noise(0.3), {0, 0, 0, 0, 1, 0});
+    EXPECT_EQ(result.contacts.size(), 2U);
+    EXPECT_EQ(result.labels, (std::vector<std::int32_t>{1, 1, 2, 0, 0, 0}));
 }
 
 TEST(ContactSegmenter, segmentAllocatesNothingAfterTheFirstFrames) {
