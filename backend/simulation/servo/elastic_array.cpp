@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace teleta::simulation {
 
@@ -15,6 +16,107 @@ constexpr double kMargin_m = 0.0003;
 
 double inSeries(double a, double b) {
     return a / (1.0 + a / b);
+}
+
+/// Springs of which a column has a multiple.
+constexpr std::size_t kTogether = 4;
+
+/// Columns of pressed springs, one behind the other's end: the normal and its moment, the stiffness and the
+/// force, filled up with springs of stiffness 0.
+struct PressedColumns {
+    std::array<const double*, 6> screw;
+    const double* stiffness_NPerM;
+    const double* force_N;
+    std::size_t count; ///< a multiple of kTogether
+};
+
+template <std::size_t lanes>
+struct Together {
+    using Doubles [[gnu::vector_size(8 * lanes)]] = double;
+
+    [[gnu::always_inline]] static double sum(const Doubles& numbers) {
+        std::array<double, lanes> each;
+        std::memcpy(each.data(), &numbers, sizeof(each));
+        double sum = each[0];
+        for (std::size_t lane = 1; lane < lanes; ++lane)
+            sum += each[lane];
+        return sum;
+    }
+};
+
+/// The sums of a row of the tangent, from the diagonal on, and of the wrench. Each has a name of its own, so
+/// that all stay in registers, where an array goes through memory.
+template <std::size_t lanes, std::size_t row>
+[[gnu::always_inline]] inline void addRow(const PressedColumns& pressed, servo::Wrench& wrench,
+                                          servo::Matrix6& tangent) {
+    using Lanes = typename Together<lanes>::Doubles;
+    Lanes onRow{}, sum0{}, sum1{}, sum2{}, sum3{}, sum4{}, sum5{};
+    for (std::size_t i = 0; i < pressed.count; i += lanes) {
+        Lanes stiffness, force, own, other;
+        std::memcpy(&stiffness, pressed.stiffness_NPerM + i, sizeof(stiffness));
+        std::memcpy(&force, pressed.force_N + i, sizeof(force));
+        std::memcpy(&own, pressed.screw[row] + i, sizeof(own));
+        onRow += force * own;
+        const Lanes weighted = stiffness * own;
+        if constexpr (row <= 0) {
+            std::memcpy(&other, pressed.screw[0] + i, sizeof(other));
+            sum0 += weighted * other;
+        }
+        if constexpr (row <= 1) {
+            std::memcpy(&other, pressed.screw[1] + i, sizeof(other));
+            sum1 += weighted * other;
+        }
+        if constexpr (row <= 2) {
+            std::memcpy(&other, pressed.screw[2] + i, sizeof(other));
+            sum2 += weighted * other;
+        }
+        if constexpr (row <= 3) {
+            std::memcpy(&other, pressed.screw[3] + i, sizeof(other));
+            sum3 += weighted * other;
+        }
+        if constexpr (row <= 4) {
+            std::memcpy(&other, pressed.screw[4] + i, sizeof(other));
+            sum4 += weighted * other;
+        }
+        std::memcpy(&other, pressed.screw[5] + i, sizeof(other));
+        sum5 += weighted * other;
+    }
+    constexpr auto kRow = static_cast<Eigen::Index>(row);
+    wrench[kRow] = Together<lanes>::sum(onRow);
+    const std::array<double, 6> sums{Together<lanes>::sum(sum0), Together<lanes>::sum(sum1),
+                                     Together<lanes>::sum(sum2), Together<lanes>::sum(sum3),
+                                     Together<lanes>::sum(sum4), Together<lanes>::sum(sum5)};
+    for (Eigen::Index column = kRow; column < 6; ++column)
+        tangent(kRow, column) = tangent(column, kRow) = sums[static_cast<std::size_t>(column)];
+}
+
+template <std::size_t lanes>
+[[gnu::always_inline]] inline void addPressed(const PressedColumns& pressed, servo::Wrench& wrench,
+                                              servo::Matrix6& tangent) {
+    addRow<lanes, 0>(pressed, wrench, tangent);
+    addRow<lanes, 1>(pressed, wrench, tangent);
+    addRow<lanes, 2>(pressed, wrench, tangent);
+    addRow<lanes, 3>(pressed, wrench, tangent);
+    addRow<lanes, 4>(pressed, wrench, tangent);
+    addRow<lanes, 5>(pressed, wrench, tangent);
+}
+
+#ifdef __x86_64__
+[[gnu::target("avx2")]] void addPressedAvx2(const PressedColumns& pressed, servo::Wrench& wrench,
+                                            servo::Matrix6& tangent) {
+    addPressed<kTogether>(pressed, wrench, tangent);
+}
+#endif
+
+void sumPressed(const PressedColumns& pressed, servo::Wrench& wrench, servo::Matrix6& tangent) {
+#ifdef __x86_64__
+    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    if (hasAvx2) {
+        addPressedAvx2(pressed, wrench, tangent);
+        return;
+    }
+#endif
+    addPressed<2>(pressed, wrench, tangent);
 }
 
 } // namespace
@@ -50,6 +152,9 @@ ElasticArray::ElasticArray(const core::ArrayLayout& layout, double taxelStiffnes
     for (const Spring& spring : m_springs)
         m_reach_m = std::max(m_reach_m, spring.p_Sensor.norm());
     m_near.reserve(m_springs.size());
+    m_pressed.reserve(m_springs.size());
+    m_nearby.resize(m_springs.size());
+    m_inBody.resize(m_springs.size() + kTogether);
 }
 
 /// A depth changes by no more than the way of the point: springs that are nearer to one outside the body than
@@ -62,7 +167,7 @@ void ElasticArray::findNear(const Eigen::Isometry3d& X_Object_Sensor, const Shap
     for (const Row& row : m_rows) {
         for (std::size_t j = 0; j < row.count;) {
             const double outside_m =
-                -shape.at(X_Object_Sensor * m_springs[row.first + j].p_Sensor).depth_m - kMargin_m;
+                -depthIn(shape, X_Object_Sensor * m_springs[row.first + j].p_Sensor).depth_m - kMargin_m;
             if (outside_m < 0.0) {
                 m_near.push_back(row.first + j);
                 ++j;
@@ -71,12 +176,44 @@ void ElasticArray::findNear(const Eigen::Isometry3d& X_Object_Sensor, const Shap
             }
         }
     }
+    for (std::size_t i = 0; i < m_near.size(); ++i) {
+        const Spring& spring = m_springs[m_near[i]];
+        m_nearby.x[i] = spring.p_Sensor.x();
+        m_nearby.y[i] = spring.p_Sensor.y();
+        m_nearby.z[i] = spring.p_Sensor.z();
+        m_nearby.stiffness_NPerM[i] = spring.stiffness_NPerM;
+    }
 }
 
-/// take(spring, depth, normal in {s}), in the order of the springs.
-template <typename Take>
-void ElasticArray::forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched,
-                                  Take&& take) const {
+template <typename Shape>
+void ElasticArray::findDepths(const Eigen::Isometry3d& X_Object_Sensor, const Shape& shape) const {
+    // Copies, which the results cannot overwrite.
+    const Shape body = shape;
+    const Eigen::Matrix3d R = X_Object_Sensor.linear();
+    const Eigen::Vector3d t = X_Object_Sensor.translation();
+    const double* const x = m_nearby.x.data();
+    const double* const y = m_nearby.y.data();
+    const double* const z = m_nearby.z.data();
+    double* const depth_m = m_nearby.depth_m.data();
+    double* const normalX = m_nearby.normalX.data();
+    double* const normalY = m_nearby.normalY.data();
+    double* const normalZ = m_nearby.normalZ.data();
+    double* const length = m_nearby.length.data();
+    const std::size_t springs = m_near.size();
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < springs; ++i) {
+        const Nearest nearest = body.nearest(R(0, 0) * x[i] + R(0, 1) * y[i] + R(0, 2) * z[i] + t[0],
+                                             R(1, 0) * x[i] + R(1, 1) * y[i] + R(1, 2) * z[i] + t[1],
+                                             R(2, 0) * x[i] + R(2, 1) * y[i] + R(2, 2) * z[i] + t[2]);
+        depth_m[i] = nearest.depth_m;
+        normalX[i] = nearest.x;
+        normalY[i] = nearest.y;
+        normalZ[i] = nearest.z;
+        length[i] = nearest.length;
+    }
+}
+
+void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched) const {
     const Eigen::Isometry3d X_Object_Sensor = X_Sensor_Object.inverse(Eigen::Isometry);
     const double moved_m = (X_Object_Sensor.translation() - m_X_Object_Sensor.translation()).norm() +
                            m_reach_m * (X_Object_Sensor.linear() - m_X_Object_Sensor.linear()).norm();
@@ -84,40 +221,70 @@ void ElasticArray::forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, cons
         [&](const auto& shape) {
             if (m_nearShape != &shape || !(moved_m < kMargin_m))
                 findNear(X_Object_Sensor, shape);
-            for (const std::size_t index : m_near) {
-                const Spring& spring = m_springs[index];
-                if (Depth depth; contains(shape, X_Object_Sensor * spring.p_Sensor, depth))
-                    take(spring, depth.depth_m, Eigen::Vector3d(X_Sensor_Object.linear() * depth.normal));
-            }
+            findDepths(X_Object_Sensor, shape);
         },
         touched);
+
+    std::size_t pressed = 0;
+    m_pressed.resize(m_near.size());
+    for (std::size_t i = 0; i < m_near.size(); ++i) {
+        // Without a branch: which springs are pressed is hard to predict.
+        m_pressed[pressed] = i;
+        pressed += m_nearby.depth_m[i] > 0.0 ? 1 : 0;
+    }
+    m_pressed.resize(pressed);
+
+    const Eigen::Matrix3d& R = X_Sensor_Object.linear();
+    for (std::size_t i = 0; i < pressed; ++i) {
+        const std::size_t from = m_pressed[i];
+        m_inBody.x[i] = m_nearby.x[from];
+        m_inBody.y[i] = m_nearby.y[from];
+        m_inBody.z[i] = m_nearby.z[from];
+        m_inBody.stiffness_NPerM[i] = m_nearby.stiffness_NPerM[from];
+        m_inBody.depth_m[i] = m_nearby.depth_m[from];
+        const double length = m_nearby.length[from];
+        const bool hasNormal = length > 0.0;
+        const double scale = 1.0 / (hasNormal ? length : 1.0);
+        const double x = scale * m_nearby.normalX[from];
+        const double y = scale * m_nearby.normalY[from];
+        const double z = hasNormal ? scale * m_nearby.normalZ[from] : 1.0;
+        m_inBody.normalX[i] = R(0, 0) * x + R(0, 1) * y + R(0, 2) * z;
+        m_inBody.normalY[i] = R(1, 0) * x + R(1, 1) * y + R(1, 2) * z;
+        m_inBody.normalZ[i] = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z;
+    }
+}
+
+template <typename Take>
+void ElasticArray::forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched,
+                                  Take&& take) const {
+    findPressed(X_Sensor_Object, touched);
+    for (std::size_t i = 0; i < m_pressed.size(); ++i)
+        take(m_springs[m_near[m_pressed[i]]], m_inBody.depth_m[i],
+             Eigen::Vector3d(m_inBody.normalX[i], m_inBody.normalY[i], m_inBody.normalZ[i]));
 }
 
 ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape) const {
-    double energy_J = 0.0;
-    std::array<double, 6> wrench{};
-    std::array<double, 36> tangent{}; ///< column by column
-    int springs = 0;
-    forEachPressed(
-        X_Sensor_Object, shape, [&](const Spring& spring, double depth_m, const Eigen::Vector3d& normal) {
-            const Eigen::Vector3d moment = spring.p_Sensor.cross(normal);
-            // Plain numbers stay in registers, where a vector goes through memory.
-            const std::array screw{normal.x(), normal.y(), normal.z(), moment.x(), moment.y(), moment.z()};
-            const double stiffness_NPerM = spring.stiffness_NPerM;
-            const double force_N = stiffness_NPerM * depth_m;
-            energy_J += 0.5 * force_N * depth_m;
-            for (std::size_t column = 0; column < 6; ++column) {
-                wrench[column] += force_N * screw[column];
-                for (std::size_t row = 0; row < 6; ++row)
-                    tangent[6 * column + row] += stiffness_NPerM * screw[row] * screw[column];
-            }
-            ++springs;
-        });
+    findPressed(X_Sensor_Object, shape);
+    const std::size_t pressed = m_pressed.size();
+    Columns& columns = m_inBody;
     ArrayContact contact;
-    contact.energy_J = energy_J;
-    contact.wrench_Sensor = Eigen::Map<const servo::Wrench>(wrench.data());
-    contact.tangent_Sensor = Eigen::Map<const servo::Matrix6>(tangent.data());
-    contact.springs = springs;
+    for (std::size_t i = 0; i < pressed; ++i) {
+        columns.momentX[i] = columns.y[i] * columns.normalZ[i] - columns.z[i] * columns.normalY[i];
+        columns.momentY[i] = columns.z[i] * columns.normalX[i] - columns.x[i] * columns.normalZ[i];
+        columns.momentZ[i] = columns.x[i] * columns.normalY[i] - columns.y[i] * columns.normalX[i];
+        columns.force_N[i] = columns.stiffness_NPerM[i] * columns.depth_m[i];
+        contact.energy_J += 0.5 * columns.force_N[i] * columns.depth_m[i];
+    }
+    const std::size_t filled = (pressed + kTogether - 1) / kTogether * kTogether;
+    for (std::size_t i = pressed; i < filled; ++i)
+        columns.stiffness_NPerM[i] = columns.force_N[i] = 0.0;
+    sumPressed({.screw = {columns.normalX.data(), columns.normalY.data(), columns.normalZ.data(),
+                          columns.momentX.data(), columns.momentY.data(), columns.momentZ.data()},
+                .stiffness_NPerM = columns.stiffness_NPerM.data(),
+                .force_N = columns.force_N.data(),
+                .count = filled},
+               contact.wrench_Sensor, contact.tangent_Sensor);
+    contact.springs = static_cast<int>(pressed);
     return contact;
 }
 

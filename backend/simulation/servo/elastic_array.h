@@ -84,6 +84,26 @@ private:
         double perMetre;
     };
 
+    /// Numbers of springs side by side, one of each for every spring of the array.
+    struct Columns {
+        std::vector<double> x, y, z, stiffness_NPerM, depth_m, normalX, normalY, normalZ;
+        std::vector<double> length; ///< of a normal
+        std::vector<double> force_N;
+        std::vector<double> momentX, momentY, momentZ; ///< of a normal about the origin of {s}
+
+        void resize(std::size_t springs) {
+            for (auto* each : {&x, &y, &z, &stiffness_NPerM, &depth_m, &normalX, &normalY, &normalZ, &length,
+                               &force_N, &momentX, &momentY, &momentZ})
+                each->resize(springs);
+        }
+    };
+
+    /// Finds the springs that are pressed, in the order of the springs: m_pressed and the first entries of
+    /// m_inBody, normals in {s}.
+    void findPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched) const;
+    template <typename Shape>
+    void findDepths(const Eigen::Isometry3d& X_Object_Sensor, const Shape& shape) const;
+    /// take(spring, depth, normal in {s})
     template <typename Take>
     void forEachPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched,
                         Take&& take) const;
@@ -99,6 +119,9 @@ private:
     mutable std::vector<std::size_t> m_near;
     mutable Eigen::Isometry3d m_X_Object_Sensor = Eigen::Isometry3d::Identity();
     mutable const void* m_nearShape = nullptr;
+    mutable Columns m_nearby; ///< of m_near; normals in the body's frame, not yet divided by their length
+    mutable std::vector<std::size_t> m_pressed; ///< places in m_near
+    mutable Columns m_inBody;                   ///< of m_pressed
 };
 
 } // namespace teleta::simulation

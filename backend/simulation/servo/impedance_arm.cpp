@@ -105,8 +105,8 @@ ImpedanceArm::Relative ImpedanceArm::relativeTwist(const Place& place) const {
     const servo::LwrJacobian& J = place.posture.jacobian;
     const Eigen::Matrix3d R_Sensor_Base = place.posture.X_Base_Tool.linear().transpose();
     Relative relative = Relative::Zero();
-    relative.topLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.topRows<3>();
-    relative.bottomLeftCorner<3, kLwrJoints>().noalias() = R_Sensor_Base * J.bottomRows<3>();
+    relative.topLeftCorner<3, kLwrJoints>() = R_Sensor_Base.lazyProduct(J.topRows<3>());
+    relative.bottomLeftCorner<3, kLwrJoints>() = R_Sensor_Base.lazyProduct(J.bottomRows<3>());
     if (m_object.turns) {
         const Vector3d arm = place.posture.X_Base_Tool.translation() - m_object.p_Base_Hinge;
         relative.col(kLwrJoints).head<3>() = -(R_Sensor_Base * m_object.axis_Base.cross(arm));
@@ -145,23 +145,25 @@ double ImpedanceArm::friction_J(const servo::Twist& way_Sensor, double creep_m, 
 void ImpedanceArm::derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,
                                FreedomsMatrix* contactHessian) const {
     const servo::LwrJacobian& J = place.posture.jacobian;
-    gradient.head<kLwrJoints>().noalias() = -(J.transpose() * place.spring_Base);
+    // Products coefficient by coefficient: Eigen takes these sizes for large ones, and packs them first.
+    gradient.head<kLwrJoints>() = -J.transpose().lazyProduct(place.spring_Base);
     gradient[kLwrJoints] = -m_hingeTorque_Nm;
     hessian.setZero();
-    hessian.topLeftCorner<kLwrJoints, kLwrJoints>().noalias() = J.transpose() * m_stiffness.asDiagonal() * J;
+    const servo::LwrJacobian stiff = m_stiffness.asDiagonal() * J;
+    hessian.topLeftCorner<kLwrJoints, kLwrJoints>() = J.transpose().lazyProduct(stiff);
     if (place.contact.springs == 0)
         return;
     const Relative relative = relativeTwist(place);
-    gradient.noalias() -= relative.transpose() * place.contact.wrench_Sensor;
-    const Eigen::Matrix<double, 6, kFreedoms> pressed = place.contact.tangent_Sensor * relative;
-    const FreedomsMatrix ofContact = relative.transpose() * pressed;
+    gradient -= relative.transpose().lazyProduct(place.contact.wrench_Sensor);
+    const Relative pressed = place.contact.tangent_Sensor.lazyProduct(relative);
+    const FreedomsMatrix ofContact = relative.transpose().lazyProduct(pressed);
     hessian += ofContact;
     if (contactHessian != nullptr)
         *contactHessian = ofContact;
 }
 
 double ImpedanceArm::kinetic_J(const Freedoms& rate) const {
-    return 0.5 * rate.dot(m_mass * rate);
+    return 0.5 * rate.dot(m_mass.lazyProduct(rate));
 }
 
 double ImpedanceArm::energy_J() const {
@@ -208,7 +210,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     }
     // |x - h v|^2_M/2h^2 + |x|^2_D/2h without its constant, x the way from the start.
     const auto inertial_J = [&](const Freedoms& way) {
-        const double smooth_J = 0.5 * way.dot(quadratic * way) - way.dot(push);
+        const double smooth_J = 0.5 * way.dot(quadratic.lazyProduct(way)) - way.dot(push);
         return rubs ? smooth_J + friction_J(relative * way, creep_m, nullptr, nullptr) : smooth_J;
     };
 
@@ -216,7 +218,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     for (int i = 0; i < kMostIterations; ++i) {
         if (i > 0)
             derivatives(*here, gradient, hessian, nullptr);
-        gradient += quadratic * (here->at - start) - push;
+        gradient += quadratic.lazyProduct(here->at - start) - push;
         hessian += quadratic;
         if (rubs) {
             servo::Vector6 drag = servo::Vector6::Zero();

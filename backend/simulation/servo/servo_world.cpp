@@ -197,8 +197,8 @@ double SimulatedServoWorld::contourDistance_m(const Vector3d& p_Base) const {
         return bar->lineDistance_m(p_Object);
     if (std::holds_alternative<EdgeSurface>(m_arm.object().shape))
         return p_Object.tail<2>().norm();
-    return std::abs(
-        std::visit([&](const auto& shape) { return shape.at(p_Object).depth_m; }, m_arm.object().shape));
+    return std::abs(std::visit([&](const auto& shape) { return depthIn(shape, p_Object).depth_m; },
+                               m_arm.object().shape));
 }
 
 Vector3d SimulatedServoWorld::objectNormal_Base(const Vector3d& p_Base) const {

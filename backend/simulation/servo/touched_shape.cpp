@@ -7,7 +7,6 @@ namespace teleta::simulation {
 
 BarSurface::BarSurface(const scene::BarShape& shape)
     : m_radius_m(shape.radius_m)
-    , m_surelyOutside_m2(shape.radius_m * shape.radius_m * (1.0 + 1e-12))
     , m_low_m(-shape.behind_m)
     , m_high_m(shape.ahead_m)
     , m_straight_m(shape.straight_m)

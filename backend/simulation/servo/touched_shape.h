@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -19,11 +18,23 @@ struct Depth {
     Eigen::Vector3d normal;
 };
 
-/// Of a point in a ball. away_m: the point from the ball's centre.
-[[nodiscard]] inline Depth depthInBall(double radius_m, const Eigen::Vector3d& away_m) {
-    const double distance_m = std::sqrt(away_m.squaredNorm());
-    return {radius_m - distance_m,
-            distance_m > 0.0 ? Eigen::Vector3d(away_m / distance_m) : Eigen::Vector3d::UnitZ()};
+/// The same with the normal before it is divided by its length. Plain numbers, so that many points are
+/// computed side by side.
+struct Nearest {
+    double depth_m;
+    double x, y, z;
+    double length; ///< of (x, y, z); where it is 0, the normal is z
+
+    [[nodiscard]] Depth depth() const {
+        return {depth_m, length > 0.0 ? Eigen::Vector3d(x / length, y / length, z / length)
+                                      : Eigen::Vector3d::UnitZ()};
+    }
+};
+
+/// Of a point in a ball. x, y, z: the point from the ball's centre.
+[[nodiscard]] inline Nearest nearestInBall(double radius_m, double x, double y, double z) {
+    const double distance_m = std::sqrt(x * x + y * y + z * z);
+    return {radius_m - distance_m, x, y, z, distance_m};
 }
 
 /// The round bar of scene::BarShape. Frame {o}: the line of contact is the curve (u, y(u), z(u)) through the
@@ -35,21 +46,18 @@ class BarSurface {
 public:
     explicit BarSurface(const scene::BarShape& shape);
 
-    [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const {
-        return depthInBall(m_radius_m, fromAxis(p_Object));
-    }
-
-    /// As at(), where the point lies in the bar; false outside, and depth is left as it was.
-    [[nodiscard]] bool contains(const Eigen::Vector3d& p_Object, Depth& depth) const {
-        const Eigen::Vector3d away = fromAxis(p_Object);
-        // Most springs that are near the bar are outside: those need no root.
-        if (away.squaredNorm() > m_surelyOutside_m2)
-            return false;
-        const Depth found = depthInBall(m_radius_m, away);
-        if (!(found.depth_m > 0.0))
-            return false;
-        depth = found;
-        return true;
+    [[nodiscard]] Nearest nearest(double x, double y, double z) const {
+        const double u0 = within(x, m_low_m, m_high_m);
+        // The general way gives the same for a straight bar, for the price of a division.
+        if (!(m_bend_m > 0.0))
+            return nearestInBall(m_radius_m, x - u0, y, z + m_radius_m);
+        const Axis first = axisAt(u0);
+        const double share = ((x - u0) + (y - first.y_m) * first.ySlope + (z - first.z_m) * first.zSlope) /
+                             (1.0 + first.ySlope * first.ySlope + first.zSlope * first.zSlope -
+                              (y - first.y_m) * first.yBend - (z - first.z_m) * first.zBend);
+        const double u = within(u0 + share, m_low_m, m_high_m);
+        const Axis axis = axisAt(u);
+        return nearestInBall(m_radius_m, x - u, y - axis.y_m, z - axis.z_m);
     }
 
     /// Point and unit tangent of the line of contact.
@@ -63,28 +71,17 @@ private:
         double y_m, z_m, ySlope, zSlope, yBend, zBend;
     };
 
-    /// From the nearest point of the axis.
-    [[nodiscard]] Eigen::Vector3d fromAxis(const Eigen::Vector3d& p_Object) const {
-        const double u0 = std::clamp(p_Object.x(), m_low_m, m_high_m);
-        // The general way gives the same for a straight bar, for the price of a division.
-        if (!(m_bend_m > 0.0))
-            return {p_Object.x() - u0, p_Object.y(), p_Object.z() + m_radius_m};
-        const Axis first = axisAt(u0);
-        const double share =
-            ((p_Object.x() - u0) + (p_Object.y() - first.y_m) * first.ySlope +
-             (p_Object.z() - first.z_m) * first.zSlope) /
-            (1.0 + first.ySlope * first.ySlope + first.zSlope * first.zSlope -
-             (p_Object.y() - first.y_m) * first.yBend - (p_Object.z() - first.z_m) * first.zBend);
-        const double u = std::clamp(u0 + share, m_low_m, m_high_m);
-        const Axis axis = axisAt(u);
-        return {p_Object.x() - u, p_Object.y() - axis.y_m, p_Object.z() - axis.z_m};
+    // Not std::clamp, whose references keep compilers from computing several at once.
+    [[nodiscard]] static double within(double value, double low, double high) {
+        const double raised = value < low ? low : value;
+        return raised > high ? high : raised;
     }
 
     [[nodiscard]] Axis axisAt(double u_m) const {
-        const double into_m = u_m - m_straight_m;
         if (!(m_bend_m > 0.0))
             return {0.0, -m_radius_m, 0.0, 0.0, 0.0, 0.0};
-        const double bent_m = std::clamp(into_m, -m_bendBehind_m, m_bend_m);
+        const double into_m = u_m - m_straight_m;
+        const double bent_m = within(into_m, -m_bendBehind_m, m_bend_m);
         const double share = bent_m / m_bend_m;
         const double area_m = (into_m - 0.5 * bent_m) * share;
         const double bend = bent_m == into_m ? 1.0 / m_bend_m : 0.0;
@@ -94,7 +91,6 @@ private:
     }
 
     double m_radius_m;
-    double m_surelyOutside_m2; ///< square of a distance from the axis that no rounding brings inside
     double m_low_m;
     double m_high_m;
     double m_straight_m;
@@ -108,37 +104,31 @@ private:
 struct EdgeSurface {
     static constexpr double kHalfRoot = 0.5 * std::numbers::sqrt2;
 
-    [[nodiscard]] static Depth at(const Eigen::Vector3d& p_Object) {
-        const double side = p_Object.y() < 0.0 ? -1.0 : 1.0;
-        const Eigen::Vector3d normal(0.0, side * kHalfRoot, kHalfRoot);
-        return {-normal.dot(p_Object), normal};
+    [[nodiscard]] static Nearest nearest(double /*x*/, double y, double z) {
+        const double side = y < 0.0 ? -kHalfRoot : kHalfRoot;
+        return {-(side * y + kHalfRoot * z), 0.0, side, kHalfRoot, 1.0};
     }
 };
 
 struct BallSurface {
     double radius_m;
 
-    [[nodiscard]] Depth at(const Eigen::Vector3d& p_Object) const {
-        return depthInBall(radius_m, {p_Object.x(), p_Object.y(), p_Object.z() + radius_m});
+    [[nodiscard]] Nearest nearest(double x, double y, double z) const {
+        return nearestInBall(radius_m, x, y, z + radius_m);
     }
 };
 
 struct WallSurface {
-    [[nodiscard]] static Depth at(const Eigen::Vector3d& p_Object) {
-        return {-p_Object.z(), Eigen::Vector3d::UnitZ()};
+    [[nodiscard]] static Nearest nearest(double /*x*/, double /*y*/, double z) {
+        return {-z, 0.0, 0.0, 1.0, 1.0};
     }
 };
 
 using TouchedShape = std::variant<BarSurface, EdgeSurface, BallSurface, WallSurface>;
 
-/// True where a point lies in a body, with its depth there.
 template <typename Shape>
-[[nodiscard]] bool contains(const Shape& shape, const Eigen::Vector3d& p_Object, Depth& depth) {
-    depth = shape.at(p_Object);
-    return depth.depth_m > 0.0;
-}
-[[nodiscard]] inline bool contains(const BarSurface& bar, const Eigen::Vector3d& p_Object, Depth& depth) {
-    return bar.contains(p_Object, depth);
+[[nodiscard]] Depth depthIn(const Shape& shape, const Eigen::Vector3d& p_Object) {
+    return shape.nearest(p_Object.x(), p_Object.y(), p_Object.z()).depth();
 }
 
 [[nodiscard]] TouchedShape makeShape(const scene::ServoShape& shape);

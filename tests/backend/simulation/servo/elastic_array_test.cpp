@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <random>
 #include <vector>
 
 namespace teleta::simulation {
@@ -145,33 +147,69 @@ TEST(ElasticArray, isFreeWithoutContact) {
     EXPECT_TRUE(contact.wrench_Sensor.isZero());
 }
 
-TEST(TouchedShape, aPointIsInTheBarWhereItsDepthIsPositive) {
-    for (const BarSurface& bar : {BarSurface(test::straightBar()), BarSurface(test::bentBar())}) {
-        int inside = 0;
-        for (double x_m = -0.2; x_m < 0.3; x_m += 0.0173)
-            for (double y_m = -0.004; y_m < 0.004; y_m += 0.0004)
-                for (double z_m = -0.008; z_m < 0.002; z_m += 0.0003) {
-                    const Eigen::Vector3d p_Object(x_m, y_m, z_m);
-                    const Depth whole = bar.at(p_Object);
-                    Depth found{};
-                    ASSERT_EQ(contains(bar, p_Object, found), whole.depth_m > 0.0);
-                    if (whole.depth_m > 0.0) {
-                        ++inside;
-                        ASSERT_EQ(found.depth_m, whole.depth_m);
-                        ASSERT_EQ(found.normal, whole.normal);
-                    }
+// The sums of the class comment over every spring, one after the other.
+TEST(ElasticArray, sumsEverySpringThatIsInTheBody) {
+    constexpr core::ArrayLayout kLayout{6, 14, 0.0034};
+    constexpr double kStiffness_NPerM = 2000.0;
+    constexpr double kBody_NPerM = 30000.0;
+    const double series_NPerM = kStiffness_NPerM * kBody_NPerM / (kStiffness_NPerM + kBody_NPerM) / 8.0;
+    const ElasticArray array(kLayout, kStiffness_NPerM, kBody_NPerM, {}, {});
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> way_m(-0.004, 0.004);
+    std::uniform_real_distribution<double> turn_rad(-0.2, 0.2);
+    int pressedAll = 0;
+    for (const TouchedShape& shape :
+         {TouchedShape(BarSurface(test::straightBar())), TouchedShape(BarSurface(test::bentBar())),
+          TouchedShape(EdgeSurface{}), TouchedShape(BallSurface{0.012}), TouchedShape(WallSurface{})})
+        for (int trial = 0; trial < 40; ++trial) {
+            Eigen::Isometry3d X_Sensor_Object =
+                Eigen::Translation3d(way_m(random), way_m(random), 0.25 * way_m(random) + 0.0005) *
+                Eigen::AngleAxisd(std::numbers::pi + turn_rad(random), Eigen::Vector3d::UnitX()) *
+                Eigen::AngleAxisd(turn_rad(random), Eigen::Vector3d::UnitZ());
+            const Eigen::Isometry3d X_Object_Sensor = X_Sensor_Object.inverse();
+            double energy_J = 0.0;
+            servo::Wrench wrench = servo::Wrench::Zero();
+            servo::Matrix6 tangent = servo::Matrix6::Zero();
+            int springs = 0;
+            for (int i = 0; i < 28; ++i)
+                for (int j = 0; j < 24; ++j) {
+                    const Eigen::Vector3d p_Sensor((i - 13.5) * 0.0017, (j - 11.5) * 0.00085, 0.0);
+                    const Depth depth = std::visit(
+                        [&](const auto& body) { return depthIn(body, X_Object_Sensor * p_Sensor); }, shape);
+                    if (!(depth.depth_m > 0.0))
+                        continue;
+                    const Eigen::Vector3d normal = X_Sensor_Object.linear() * depth.normal;
+                    servo::Wrench screw;
+                    screw << normal, p_Sensor.cross(normal);
+                    energy_J += 0.5 * series_NPerM * depth.depth_m * depth.depth_m;
+                    wrench += series_NPerM * depth.depth_m * screw;
+                    tangent += series_NPerM * screw * screw.transpose();
+                    ++springs;
                 }
-        EXPECT_GT(inside, 100);
-    }
+            const ArrayContact contact = array.press(X_Sensor_Object, shape);
+            ASSERT_EQ(contact.springs, springs);
+            ASSERT_NEAR(contact.energy_J, energy_J, 1e-12 * energy_J);
+            ASSERT_LE((contact.wrench_Sensor - wrench).norm(), 1e-12 * wrench.norm());
+            ASSERT_LE((contact.tangent_Sensor - tangent).norm(), 1e-12 * tangent.norm());
+            ASSERT_EQ(contact.tangent_Sensor, contact.tangent_Sensor.transpose());
+            pressedAll += springs;
+        }
+    EXPECT_GT(pressedAll, 5000);
+}
+
+TEST(TouchedShape, theMiddleOfABallHasANormal) {
+    const Depth depth = depthIn(BallSurface{0.01}, {0.0, 0.0, -0.01});
+    EXPECT_EQ(depth.depth_m, 0.01);
+    EXPECT_EQ(depth.normal, Eigen::Vector3d::UnitZ());
 }
 
 TEST(TouchedShape, theBarsSurfaceIsARadiusFromItsAxisAndItsLineOnIt) {
     const BarSurface bar(test::bentBar());
     for (double u_m = -0.05; u_m < 0.3; u_m += 0.01) {
         const Eigen::Vector3d line = bar.lineAt(u_m);
-        EXPECT_NEAR(bar.at(line).depth_m, 0.0, 2e-6) << u_m;
+        EXPECT_NEAR(depthIn(bar, line).depth_m, 0.0, 2e-6) << u_m;
         EXPECT_NEAR(bar.lineDistance_m(line), 0.0, 1e-9) << u_m;
-        EXPECT_NEAR(bar.at(line).normal.dot(bar.tangentAt(u_m)), 0.0, 1e-3) << u_m;
+        EXPECT_NEAR(depthIn(bar, line).normal.dot(bar.tangentAt(u_m)), 0.0, 1e-3) << u_m;
     }
     // Quadratic fall: slope tan(22 deg) after the bend of 150 mm.
     EXPECT_NEAR(bar.tangentAt(0.2).z() / bar.tangentAt(0.2).x(), -std::tan(0.384), 1e-12);
