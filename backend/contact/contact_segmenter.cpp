@@ -110,7 +110,7 @@ void ContactSegmenter::findActive(std::span<const float> load_N, std::span<const
     const float* const load = load_N.data();
     std::uint8_t* const active = m_active.data();
     for (std::size_t i = 0; i < taxels; ++i)
-        active[i] = (load[i] >= threshold) & (load[i] <= kLargest) ? 255 : 0;
+        active[i] = ((load[i] >= threshold) & (load[i] <= kLargest)) ? 255 : 0;
     for (std::size_t i = 0; i < dead.size(); ++i)
         active[i] = dead[i] != 0 ? 0 : active[i];
 }

@@ -200,7 +200,6 @@ void ElasticArray::findDepths(const Eigen::Isometry3d& X_Object_Sensor, const Sh
     double* const normalZ = m_nearby.normalZ.data();
     double* const length = m_nearby.length.data();
     const std::size_t springs = m_near.size();
-#pragma GCC ivdep
     for (std::size_t i = 0; i < springs; ++i) {
         const Nearest nearest = body.nearest(R(0, 0) * x[i] + R(0, 1) * y[i] + R(0, 2) * z[i] + t[0],
                                              R(1, 0) * x[i] + R(1, 1) * y[i] + R(1, 2) * z[i] + t[1],
