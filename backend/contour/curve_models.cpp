@@ -105,21 +105,41 @@ Eigen::Vector2d leastSquaresLine(std::span<const Point> points, const Point& mea
     return {0.0, 0.5 * std::atan2(2.0 * xy, xx - yy) + 0.5 * std::numbers::pi};
 }
 
-void ellipseDistances(std::span<const Point> points, const Eigen::VectorXd& parameters,
-                      Eigen::VectorXd& residuals) {
-    const double a = std::exp(parameters[2]);
-    const double b = std::exp(parameters[3]);
+/// parameters: centre x, centre y, log a, log b, angle.
+void ellipseResiduals(std::span<const Point> points, const Eigen::VectorXd& parameters,
+                      Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
+    const double perA = std::exp(-parameters[2]);
+    const double perB = std::exp(-parameters[3]);
     const double c = std::cos(parameters[4]);
     const double s = std::sin(parameters[4]);
-    residuals.resize(static_cast<Eigen::Index>(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point p = points[i] - Point(parameters.head<2>());
-        const double u = (c * p.x() + s * p.y()) / a;
-        const double v = (c * p.y() - s * p.x()) / b;
+    const auto rows = static_cast<Eigen::Index>(points.size());
+    residuals.resize(rows);
+    jacobian.resize(rows, 5);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const Point p = points[static_cast<std::size_t>(i)] - Point(parameters.head<2>());
+        // Along the axes, in their lengths.
+        const double u = (c * p.x() + s * p.y()) * perA;
+        const double v = (c * p.y() - s * p.x()) * perB;
         const double level = std::sqrt(u * u + v * v);
-        const double slope = std::sqrt(u * u / (a * a) + v * v / (b * b));
-        residuals[static_cast<Eigen::Index>(i)] =
-            slope > 1e-9 ? level * (level - 1.0) / slope : -std::min(a, b);
+        const double slope = std::sqrt(u * u * perA * perA + v * v * perB * perB);
+        if (!(slope > 1e-9)) {
+            // In the middle, where no direction is the nearest one.
+            residuals[i] = -std::min(1.0 / perA, 1.0 / perB);
+            jacobian.row(i).setZero();
+            (perA > perB ? jacobian(i, 2) : jacobian(i, 3)) = residuals[i];
+            continue;
+        }
+        const double distance = level * (level - 1.0) / slope;
+        residuals[i] = distance;
+        const double byLevel = (2.0 * level - 1.0) / slope;
+        const double byU = (byLevel / level - distance / (slope * slope) * perA * perA) * u;
+        const double byV = (byLevel / level - distance / (slope * slope) * perB * perB) * v;
+        jacobian(i, 0) = -byU * c * perA + byV * s * perB;
+        jacobian(i, 1) = -byU * s * perA - byV * c * perB;
+        // The slope also contains the length itself.
+        jacobian(i, 2) = -byU * u + distance * u * u * perA * perA / (slope * slope);
+        jacobian(i, 3) = -byV * v + distance * v * v * perB * perB / (slope * slope);
+        jacobian(i, 4) = byU * v * perA / perB - byV * u * perB / perA;
     }
 }
 
@@ -255,19 +275,7 @@ CurvedLineFit fitCurvedLine(std::span<const Point> points) {
 
 RobustFit fitEllipse(std::span<const Point> points, const CurvedLine& circle) {
     const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-        constexpr double kStep = 1e-6;
-        ellipseDistances(points, p, r);
-        j.resize(r.size(), p.size());
-        Eigen::VectorXd before;
-        Eigen::VectorXd after;
-        for (Eigen::Index k = 0; k < p.size(); ++k) {
-            Eigen::VectorXd moved = p;
-            moved[k] = p[k] + kStep;
-            ellipseDistances(points, moved, after);
-            moved[k] = p[k] - kStep;
-            ellipseDistances(points, moved, before);
-            j.col(k) = (after - before) / (2.0 * kStep);
-        }
+        ellipseResiduals(points, p, r, j);
     };
     const Point mean = meanOf(points);
     const double angle = leastSquaresLine(points, mean)[1] - 0.5 * std::numbers::pi;

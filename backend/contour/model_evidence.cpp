@@ -32,13 +32,16 @@ constexpr std::array kReaches{0.08, 0.25}; ///< of the length
 constexpr std::array kDepartureNoises{0.003, 0.01, 0.03};
 
 /// From the smallest to the largest noise, uniform in the logarithm.
-std::array<double, kNoiseSteps> noiseSteps() {
-    std::array<double, kNoiseSteps> noise{};
-    for (std::size_t step = 0; step < kNoiseSteps; ++step) {
-        const double share = static_cast<double>(step) / static_cast<double>(kNoiseSteps - 1);
-        noise[step] = kSmallestNoise * std::pow(kLargestNoise / kSmallestNoise, share);
-    }
-    return noise;
+const std::array<double, kNoiseSteps>& noiseSteps() {
+    static const std::array<double, kNoiseSteps> made = [] {
+        std::array<double, kNoiseSteps> noise{};
+        for (std::size_t step = 0; step < kNoiseSteps; ++step) {
+            const double share = static_cast<double>(step) / static_cast<double>(kNoiseSteps - 1);
+            noise[step] = kSmallestNoise * std::pow(kLargestNoise / kSmallestNoise, share);
+        }
+        return noise;
+    }();
+    return made;
 }
 
 double inlierDensity(double residual, double noise, double length) {
@@ -47,16 +50,52 @@ double inlierDensity(double residual, double noise, double length) {
            (noise * std::sqrt(2.0 * std::numbers::pi));
 }
 
+/// Sum of logarithms, by the logarithm of products.
+class LogSum {
+public:
+    /// factor: between 1e-6 and 1e6.
+    void add(double factor) {
+        m_product *= factor;
+        if (++m_factors == kMostFactors)
+            flush();
+    }
+    [[nodiscard]] double sum() {
+        flush();
+        return m_sum;
+    }
+
+private:
+    static constexpr int kMostFactors = 48; ///< of which the product neither overflows nor underflows
+    void flush() {
+        m_sum += std::log(m_product);
+        m_product = 1.0;
+        m_factors = 0;
+    }
+    double m_sum = 0.0;
+    double m_product = 1.0;
+    int m_factors = 0;
+};
+
+/// Log likelihood of residuals at each noise; length: at least kSmallestNoise.
+std::array<double, kNoiseSteps> logLikelihoods(const Eigen::VectorXd& residuals, double length) {
+    const std::array<double, kNoiseSteps>& noise = noiseSteps();
+    std::array<double, kNoiseSteps> likelihoods{};
+    const Eigen::ArrayXd squares = residuals.array().square();
+    Eigen::ArrayXd density(residuals.size());
+    for (std::size_t step = 0; step < kNoiseSteps; ++step) {
+        const double height = inlierDensity(0.0, noise[step], length);
+        density = height * (squares * (-0.5 / (noise[step] * noise[step]))).exp() + kOutlierDensity;
+        LogSum sum;
+        for (const double d : density)
+            sum.add(d);
+        likelihoods[step] = sum.sum();
+    }
+    return likelihoods;
+}
+
 /// Of the residuals alone, at the most probable noise.
 double logLikelihood(const Eigen::VectorXd& residuals, double length) {
-    double best = -std::numeric_limits<double>::infinity();
-    for (const double noise : noiseSteps()) {
-        double sum = 0.0;
-        for (const double r : residuals)
-            sum += std::log(inlierDensity(r, noise, std::max(length, kSmallestNoise)) + kOutlierDensity);
-        best = std::max(best, sum);
-    }
-    return best;
+    return std::ranges::max(logLikelihoods(residuals, std::max(length, kSmallestNoise)));
 }
 
 /// Along an open curve, or the shorter way around a closed one.
@@ -71,18 +110,18 @@ double logGain(std::vector<double> values, double length) {
     double best = 0.0;
     for (double spread = kSmallestSpread; spread < length; spread *= 1.5) {
         const double height = (1.0 - kJumpShare) * length / (spread * std::sqrt(2.0 * std::numbers::pi));
-        double gain = -std::log(static_cast<double>(values.size() + 1));
+        LogSum gain;
         for (const double value : values) {
             const double z = (value - median) / spread;
-            gain += std::log(height * std::exp(-0.5 * z * z) + kJumpShare);
+            gain.add(height * std::exp(-0.5 * z * z) + kJumpShare);
         }
-        best = std::max(best, gain);
+        best = std::max(best, gain.sum() - std::log(static_cast<double>(values.size() + 1)));
     }
     return best;
 }
 
-Eigen::VectorXd eigenvaluesOf(const Eigen::MatrixXd& information) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(information, Eigen::EigenvaluesOnly).eigenvalues();
+Eigen::VectorXd eigenvaluesOf(const NormalMatrix& information) {
+    return Eigen::SelfAdjointEigenSolver<NormalMatrix>(information, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 /// Logarithm of the volume of the parameters that explain the points, at this noise.
@@ -102,19 +141,19 @@ double logLikelihoodOfProcess(std::span<const std::pair<double, double>> sorted,
     const double prior = amplitude * amplitude;
     double mean = 0.0;
     double variance = prior;
-    double sum = 0.0;
+    LogSum sum;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         const double keep = kept[i];
         mean *= keep;
         variance = keep * keep * variance + (1.0 - keep * keep) * prior;
         const double expected = variance + noise * noise;
         const double off = sorted[i].second - mean;
-        sum += std::log(inlierDensity(off, std::sqrt(expected), length) + kOutlierDensity);
+        sum.add(inlierDensity(off, std::sqrt(expected), length) + kOutlierDensity);
         const double gain = variance / expected;
         mean += gain * off;
         variance *= 1.0 - gain;
     }
-    return sum;
+    return sum.sum();
 }
 
 } // namespace
@@ -160,7 +199,8 @@ double logEvidenceOfDeparture(const RobustFit& fit, std::span<const double> plac
         sorted.emplace_back(period > 0.0 ? places[i] - period * std::floor(places[i] / period) : places[i],
                             fit.residuals[static_cast<Eigen::Index>(i)]);
     std::ranges::sort(sorted);
-    const Eigen::VectorXd eigenvalues = eigenvaluesOf(fit.jacobian.transpose() * fit.jacobian);
+    const Eigen::VectorXd eigenvalues =
+        eigenvaluesOf(normalMatrix(fit.jacobian, Eigen::VectorXd::Ones(fit.jacobian.rows())));
     double sum = -std::numeric_limits<double>::infinity();
     std::vector<double> kept(sorted.size(), 0.0); // correlation of a deviation with the one before
     for (const double reach : kReaches) {
@@ -226,12 +266,8 @@ double rmsOfInliers(const RobustFit& fit, const Evidence& evidence) {
 Evidence evidence(const RobustFit& fit, double length, const Assumptions& assumptions) {
     const double curve = std::max(length, kSmallestNoise);
     const Eigen::Index count = fit.residuals.size();
-    const std::array<double, kNoiseSteps> noise = noiseSteps();
-    std::array<double, kNoiseSteps> likelihood{};
-    for (std::size_t step = 0; step < kNoiseSteps; ++step) {
-        for (const double r : fit.residuals)
-            likelihood[step] += std::log(inlierDensity(r, noise[step], curve) + kOutlierDensity);
-    }
+    const std::array<double, kNoiseSteps>& noise = noiseSteps();
+    const std::array<double, kNoiseSteps> likelihood = logLikelihoods(fit.residuals, curve);
     const auto best =
         static_cast<std::size_t>(std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin());
 
@@ -244,8 +280,7 @@ Evidence evidence(const RobustFit& fit, double length, const Assumptions& assump
         weights[i] = inlier / (inlier + kOutlierDensity);
         result.outliers[static_cast<std::size_t>(i)] = weights[i] < 0.5;
     }
-    const Eigen::VectorXd eigenvalues =
-        eigenvaluesOf(fit.jacobian.transpose() * weights.asDiagonal() * fit.jacobian);
+    const Eigen::VectorXd eigenvalues = eigenvaluesOf(normalMatrix(fit.jacobian, weights));
     result.logEvidence = -std::numeric_limits<double>::infinity();
     for (std::size_t step = 0; step < kNoiseSteps; ++step)
         result.logEvidence = logSum(

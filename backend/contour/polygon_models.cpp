@@ -29,10 +29,10 @@ Eigen::VectorXd corners(const Eigen::VectorXd& box) {
     return vertices;
 }
 
-Eigen::MatrixXd cornerDerivatives(const Eigen::VectorXd& box) {
+Eigen::Matrix<double, 8, 5> cornerDerivatives(const Eigen::VectorXd& box) {
     const double c = std::cos(box[2]);
     const double s = std::sin(box[2]);
-    Eigen::MatrixXd derivatives(8, 5);
+    Eigen::Matrix<double, 8, 5> derivatives;
     for (Eigen::Index i = 0; i < 4; ++i) {
         const double su = i == 0 || i == 3 ? -1.0 : 1.0;
         const double sv = i < 2 ? -1.0 : 1.0;
@@ -107,10 +107,10 @@ void keepBetter(PolygonFit& best, RobustFit fit, const auto& verticesOf) {
 } // namespace
 
 PolygonFit fitRectangle(std::span<const Point> points, const std::vector<Eigen::VectorXd>& quadrilaterals) {
+    Eigen::MatrixXd byVertices;
     const Residuals evaluate = [&](const Eigen::VectorXd& box, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-        Eigen::MatrixXd byVertices;
         polylineResiduals(points, corners(box), true, r, byVertices);
-        j = byVertices * cornerDerivatives(box);
+        j.noalias() = byVertices.lazyProduct(cornerDerivatives(box));
     };
     std::vector<Eigen::VectorXd> starts = boxesAround(points);
     for (const Eigen::VectorXd& quadrilateral : quadrilaterals)
@@ -138,24 +138,25 @@ PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Poi
     const double turn = 2.0 * std::numbers::pi / sides;
     const auto vertices = [&](const Eigen::VectorXd& p) {
         Eigen::VectorXd chain(2 * sides);
+        const double radiusHere = std::exp(p[2]);
         for (int i = 0; i < sides; ++i) {
-            chain[2 * i] = p[0] + std::exp(p[2]) * std::cos(p[3] + i * turn);
-            chain[2 * i + 1] = p[1] + std::exp(p[2]) * std::sin(p[3] + i * turn);
+            chain[2 * i] = p[0] + radiusHere * std::cos(p[3] + i * turn);
+            chain[2 * i + 1] = p[1] + radiusHere * std::sin(p[3] + i * turn);
         }
         return chain;
     };
+    Eigen::MatrixXd byVertices;
+    Eigen::MatrixXd derivatives(2 * sides, 4);
     const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
         const Eigen::VectorXd chain = vertices(p);
-        Eigen::MatrixXd byVertices;
         polylineResiduals(points, chain, true, r, byVertices);
-        Eigen::MatrixXd derivatives(2 * sides, 4);
         for (int i = 0; i < sides; ++i) {
             const double x = chain[2 * i] - p[0];
             const double y = chain[2 * i + 1] - p[1];
             derivatives.row(2 * i) << 1.0, 0.0, x, -y;
             derivatives.row(2 * i + 1) << 0.0, 1.0, y, x;
         }
-        j = byVertices * derivatives;
+        j.noalias() = byVertices.lazyProduct(derivatives);
     };
     PolygonFit best;
     for (int k = 0; k < kAngles; ++k) {

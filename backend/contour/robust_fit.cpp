@@ -35,19 +35,25 @@ void descend(const Residuals& evaluate, RobustFit& fit, double scale, double tol
     double damping = 1e-3;
     double cost = robustLoss(fit.residuals, scale);
     RobustFit trial;
+    NormalMatrix damped;
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostParameters, 1> gradient(fit.parameters.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostParameters, 1> step(fit.parameters.size());
+    Eigen::LDLT<NormalMatrix> solver(fit.parameters.size());
+    Eigen::VectorXd weights;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
-        const Eigen::ArrayXd rest = (1.0 - (fit.residuals.array() / scale).square()).max(0.0);
-        const Eigen::MatrixXd weighted = fit.jacobian.array().colwise() * rest.square();
-        const Eigen::MatrixXd normal = weighted.transpose() * fit.jacobian;
-        const Eigen::VectorXd gradient = weighted.transpose() * fit.residuals;
+        weights = (1.0 - (fit.residuals.array() * (1.0 / scale)).square()).max(0.0).square();
+        const NormalMatrix normal = normalMatrix(fit.jacobian, weights);
+        weights.array() *= fit.residuals.array();
+        for (Eigen::Index k = 0; k < gradient.size(); ++k)
+            gradient[k] = fit.jacobian.col(k).dot(weights);
         const double strength = std::max(normal.diagonal().maxCoeff(), 1e-300);
 
         bool improved = false;
         for (int attempt = 0; attempt < 8 && !improved; ++attempt) {
-            Eigen::MatrixXd damped = normal;
+            damped = normal;
             damped.diagonal().array() += damping * normal.diagonal().array() + 1e-9 * damping * strength;
             damped.diagonal().array() += 1e-14 * strength; // undetermined directions stay put
-            Eigen::VectorXd step = -damped.ldlt().solve(gradient);
+            step = -solver.compute(damped).solve(gradient);
             const double length = step.norm();
             if (!std::isfinite(length))
                 return;
@@ -77,15 +83,24 @@ void descend(const Residuals& evaluate, RobustFit& fit, double scale, double tol
 
 } // namespace
 
+NormalMatrix normalMatrix(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& weights) {
+    const Eigen::Index count = jacobian.cols();
+    NormalMatrix normal(count, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        for (Eigen::Index k = 0; k <= i; ++k)
+            normal(i, k) = normal(k, i) =
+                (jacobian.col(i).array() * jacobian.col(k).array() * weights.array()).sum();
+    }
+    return normal;
+}
+
 double robustLoss(const Eigen::VectorXd& residuals, double scale) {
     if (residuals.size() == 0)
         return 0.0;
-    double sum = 0.0;
-    for (const double r : residuals) {
-        const double q = std::min(1.0, (r / scale) * (r / scale));
-        sum += q * (3.0 - 3.0 * q + q * q); // 1 - (1 - q)^3 without cancellation
-    }
-    return sum / static_cast<double>(residuals.size());
+    const double inverse = 1.0 / scale;
+    const auto q = (residuals.array() * inverse).square().min(1.0);
+    // 1 - (1 - q)^3 without cancellation
+    return (q * (3.0 - 3.0 * q + q * q)).sum() / static_cast<double>(residuals.size());
 }
 
 RobustFit fitRobustly(const Residuals& residuals, Eigen::VectorXd start) {

@@ -12,12 +12,21 @@ namespace teleta::contour {
 using Residuals = std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals,
                                      Eigen::MatrixXd& jacobian)>;
 
-/// A model after fitting.
+/// A model after fitting. At most kMostParameters parameters.
 struct RobustFit {
     Eigen::VectorXd parameters;
     Eigen::VectorXd residuals;
     Eigen::MatrixXd jacobian;
 };
+
+/// Most parameters of a model: two coordinates of each vertex of the longest chain of edges.
+inline constexpr int kMostParameters = 34;
+using NormalMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostParameters, kMostParameters>;
+
+/// J^T W J, of a Jacobian with at most kMostParameters columns and a weight of each point. Thread: any
+/// (pure).
+[[nodiscard]] NormalMatrix normalMatrix(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& weights);
 
 /// Fits a model to points that contain outliers: Levenberg-Marquardt on Tukey's biweight of the residuals.
 /// The scale is first a quarter of the size, so that any sensible start converges, then 4.685 times the
