@@ -54,8 +54,8 @@ private slots:
         text.setHtml(dialog->findChild<QLabel*>()->text());
         const QString plain = text.toPlainText();
         for (const char* library :
-             {"Qt", "VTK", "QCustomPlot", "Eigen", "OpenCV", "Boost", "hidapi", "libmodbus",
-              "librsvg", "cairo", "libzip", "JSON for Modern C\\+\\+", "toml\\+\\+"}) {
+             {"Qt", "VTK", "QCustomPlot", "Eigen", "OpenCV", "Boost", "hidapi", "libmodbus", "librsvg",
+              "cairo", "libzip", "JSON for Modern C\\+\\+", "toml\\+\\+"}) {
             const QRegularExpression row(
                 QStringLiteral("(^|\n)%1\n[0-9]+\\.[0-9]+(\\.[0-9]+)?\n[A-Z][A-Za-z]+")
                     .arg(QLatin1String(library)));
