@@ -41,14 +41,11 @@ record() {
     summary+=("$(printf '%-9s %4d passed, %d failed%s  (%d s)' "$1" "$2" "$3" "${4:+: $4}" "$SECONDS")")
 }
 
-# One more than there are processors: many tests wait for a peer, a clock or a screen.
-test_jobs=$((jobs + 1))
-
 # run_tests FOLDER [CTEST ARGUMENTS...]: adds the numbers of one CTest run to tests_passed and tests_failed.
 run_tests() {
     local log line
     log=$(mktemp)
-    ctest --test-dir "$@" -j "$test_jobs" --no-tests=error --output-on-failure 2>&1 | tee "$log"
+    ctest --test-dir "$@" -j "$jobs" --no-tests=error --output-on-failure 2>&1 | tee "$log"
     local status=${PIPESTATUS[0]}
     line=$(grep -oE '[0-9]+ tests failed out of [0-9]+' "$log")
     rm -f "$log"
