@@ -11,7 +11,6 @@
 #include "app/console/sudden_end.h"
 #include "app/console/unattended.h"
 #include "backend/core/threads/stop_switch.h"
-#include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
@@ -23,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <future>
 #include <optional>
 #include <string_view>
 
@@ -89,8 +89,13 @@ int main(int argc, char* argv[]) {
     window.show();
     window.openRequested(options);
     // It takes long to load: not before the window is shown, nor when the first source is.
+    std::future<bool> driver;
     QTimer::singleShot(kDriverAfter_ms, &window,
-                       [&window] { base::runInBackground(&window, view3d::loadOpenGlDriver, [](bool) {}); });
+                       [&driver] { driver = std::async(std::launch::async, &view3d::loadOpenGlDriver); });
     unattended.start();
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    // It uses the application, which a console that is closed at once would take away from it.
+    if (driver.valid())
+        driver.wait();
+    return code;
 }

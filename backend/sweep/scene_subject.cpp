@@ -11,8 +11,9 @@
 #include <QFileInfo>
 #include <QString>
 
-#include <limits>
 #include <nlohmann/json.hpp>
+
+#include <limits>
 #include <variant>
 
 namespace teleta::sweep {

@@ -170,7 +170,8 @@ loaded = numpy.diff(b) > 0
 assert a["frames"][loaded].sum(1).max() > 2.0
 assert abs(numpy.median(a["frames"][~loaded])) < 0.2
 )");
-    EXPECT_EQ(std::system(("/usr/bin/python3 " + check + " " + m_folder.path("out/frames/0000.npz")).c_str()), 0);
+    EXPECT_EQ(std::system(("/usr/bin/python3 " + check + " " + m_folder.path("out/frames/0000.npz")).c_str()),
+              0);
     EXPECT_EQ(run({"features", m_folder.path("out/frames/0000.npz"), "--rate", "200"}).exitCode, 0);
     EXPECT_EQ(run({"sweep", m_folder.write("arm.toml", "[sweep]\nscene = \"teleta-touch\"\n"), "--out",
                    m_folder.path("arm"), "--frames", "npz"})

@@ -11,8 +11,8 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTabWidget>
 #include <QTableWidget>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -43,7 +43,8 @@ private slots:
         QVERIFY(!start()->isEnabled());
         choose(QStringLiteral("contour-ladder"));
         QTRY_VERIFY(start()->isEnabled());
-        QCOMPARE(m_panel->findChild<QLabel*>(QStringLiteral("sweepTitle"))->text(), QStringLiteral("contour"));
+        QCOMPARE(m_panel->findChild<QLabel*>(QStringLiteral("sweepTitle"))->text(),
+                 QStringLiteral("contour"));
         QCOMPARE(measures()->count(), 0);
     }
 
@@ -79,13 +80,15 @@ private slots:
     void canBeCancelledAndGoesOn() {
         QFile file(m_folder.filePath(QStringLiteral("long.toml")));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("[sweep]\nscene = \"tactile-two-contacts\"\nseeds = \"1:400\"\n[sweep.vary]\n\"duration_s\" = [2.0, 3.0]\n");
+        file.write("[sweep]\nscene = \"tactile-two-contacts\"\nseeds = "
+                   "\"1:400\"\n[sweep.vary]\n\"duration_s\" = [2.0, 3.0]\n");
         file.close();
         m_panel->running().open(file.fileName());
         QTRY_VERIFY(start()->isEnabled());
         const QString folder = m_folder.filePath(QStringLiteral("cancelled"));
         m_panel->running().start(folder);
-        QTRY_VERIFY_WITH_TIMEOUT(m_panel->running().progress() && m_panel->running().progress()->done > 0, 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_panel->running().progress() && m_panel->running().progress()->done > 0,
+                                 30'000);
         m_panel->tick();
         QTest::mouseClick(cancel(), Qt::LeftButton);
         QVERIFY(m_panel->running().isCancelled());
