@@ -205,7 +205,8 @@ Vector3d SimulatedServoWorld::objectNormal_Base(const Vector3d& p_Base) const {
     const Eigen::Isometry3d& X_Base_Object = m_arm.X_Base_Object();
     const Vector3d p_Object = X_Base_Object.inverse(Eigen::Isometry) * p_Base;
     return X_Base_Object.linear() *
-           std::visit([&](const auto& shape) { return shape.at(p_Object).normal; }, m_arm.object().shape);
+           std::visit([&](const auto& shape) { return depthIn(shape, p_Object).normal; },
+                      m_arm.object().shape);
 }
 
 std::vector<EffectTime> SimulatedServoWorld::effectTimes() const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/figure/svg_view.h"
 #include "widgets/study/results/level_content.h"
 #include "widgets/study/results/page/results_view.h"
 #include "widgets/study/results/result_table.h"
-#include "widgets/study/results/svg_view.h"
 
 #include <QComboBox>
 #include <QFileInfo>

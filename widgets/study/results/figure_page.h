@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/figure/svg_view.h"
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
-#include "widgets/study/results/svg_view.h"
 
 #include <QComboBox>
 #include <QLabel>
