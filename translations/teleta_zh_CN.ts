@@ -12467,7 +12467,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>%1 of %2 failed; </source>
-        <translation>%2 次中 %1 次失败；</translation>
+        <translation>%2 次中 %1 次失败； </translation>
     </message>
     <message>
         <source>Folder</source>

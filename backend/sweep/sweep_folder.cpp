@@ -25,7 +25,7 @@ namespace {
 constexpr int kSweepFormat = 1;
 
 struct SweepFolderText {
-    Q_DECLARE_TR_FUNCTIONS(SweepFolder)
+    Q_DECLARE_TR_FUNCTIONS(SweepFolderText)
 };
 
 const char* kindName(SubjectKind kind) {

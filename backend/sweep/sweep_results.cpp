@@ -45,9 +45,10 @@ core::Expected<MergedRuns> mergedRuns(const SweepPlan& plan, const std::string& 
     }));
     // Of the same run the first part's row comes first and stays.
     std::ranges::stable_sort(merged.rows, {}, [](const MergedRow& each) { return each.row.run; });
-    const auto twice =
-        std::ranges::unique(merged.rows, {}, [](const MergedRow& each) { return each.row.run; });
-    merged.rows.erase(twice.begin(), twice.end());
+    merged.rows.erase(
+        std::unique(merged.rows.begin(), merged.rows.end(),
+                    [](const MergedRow& a, const MergedRow& b) { return a.row.run == b.row.run; }),
+        merged.rows.end());
     return merged;
 }
 
