@@ -12335,7 +12335,15 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
-    <name>SweepFolder</name>
+    <name>SweepFolderText</name>
+    <message>
+        <source>the folder holds results of another sweep: %1</source>
+        <translation>le dossier contient les résultats d’un autre balayage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>another folder, or --restart, which throws these results away</source>
+        <translation>un autre dossier, ou --restart, qui jette ces résultats</translation>
+    </message>
     <message>
         <source>line %1 was &quot;%2&quot; and is &quot;%3&quot;</source>
         <translation>la ligne %1 était «&#xa0;%2&#xa0;» et est «&#xa0;%3&#xa0;»</translation>
@@ -12379,17 +12387,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a file that teleta sweep has written</source>
         <translation>un fichier écrit par teleta sweep</translation>
-    </message>
-</context>
-<context>
-    <name>SweepFolderText</name>
-    <message>
-        <source>the folder holds results of another sweep: %1</source>
-        <translation>le dossier contient les résultats d’un autre balayage&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>another folder, or --restart, which throws these results away</source>
-        <translation>un autre dossier, ou --restart, qui jette ces résultats</translation>
     </message>
 </context>
 <context>

@@ -12304,7 +12304,15 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
-    <name>SweepFolder</name>
+    <name>SweepFolderText</name>
+    <message>
+        <source>the folder holds results of another sweep: %1</source>
+        <translation>フォルダーには別のスイープの結果があります: %1</translation>
+    </message>
+    <message>
+        <source>another folder, or --restart, which throws these results away</source>
+        <translation>別のフォルダー、またはこの結果を捨てる --restart</translation>
+    </message>
     <message>
         <source>line %1 was &quot;%2&quot; and is &quot;%3&quot;</source>
         <translation>%1 行目は「%2」でしたが「%3」になっています</translation>
@@ -12348,17 +12356,6 @@ Run teleta-site --help for more.
     <message>
         <source>a file that teleta sweep has written</source>
         <translation>teleta sweep が書いたファイル</translation>
-    </message>
-</context>
-<context>
-    <name>SweepFolderText</name>
-    <message>
-        <source>the folder holds results of another sweep: %1</source>
-        <translation>フォルダーには別のスイープの結果があります: %1</translation>
-    </message>
-    <message>
-        <source>another folder, or --restart, which throws these results away</source>
-        <translation>別のフォルダー、またはこの結果を捨てる --restart</translation>
     </message>
 </context>
 <context>

@@ -12304,7 +12304,15 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
-    <name>SweepFolder</name>
+    <name>SweepFolderText</name>
+    <message>
+        <source>the folder holds results of another sweep: %1</source>
+        <translation>文件夹中有另一扫描的结果：%1</translation>
+    </message>
+    <message>
+        <source>another folder, or --restart, which throws these results away</source>
+        <translation>另一个文件夹，或会丢弃这些结果的 --restart</translation>
+    </message>
     <message>
         <source>line %1 was &quot;%2&quot; and is &quot;%3&quot;</source>
         <translation>第 %1 行原为“%2”，现为“%3”</translation>
@@ -12348,17 +12356,6 @@ Run teleta-site --help for more.
     <message>
         <source>a file that teleta sweep has written</source>
         <translation>由 teleta sweep 写出的文件</translation>
-    </message>
-</context>
-<context>
-    <name>SweepFolderText</name>
-    <message>
-        <source>the folder holds results of another sweep: %1</source>
-        <translation>文件夹中有另一扫描的结果：%1</translation>
-    </message>
-    <message>
-        <source>another folder, or --restart, which throws these results away</source>
-        <translation>另一个文件夹，或会丢弃这些结果的 --restart</translation>
     </message>
 </context>
 <context>
