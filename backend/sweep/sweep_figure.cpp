@@ -263,14 +263,16 @@ QString axisTitle(const SweepAxis& axis) {
     QStringList parts;
     for (const SweepAxis::Key& key : axis.keys)
         parts << QString::fromStdString(key.name.substr(key.name.rfind('.') + 1));
+    parts.removeDuplicates();
     return parts.join(QStringLiteral(", "));
 }
 
 QString valueText(const SweepAxis& axis, std::size_t value) {
     QStringList parts;
     for (const core::TomlValue& each : axis.values[value])
-        parts << (std::holds_alternative<double>(each) ? QString::number(std::get<double>(each), 'g', 4)
+        parts << (std::holds_alternative<double>(each) ? QString::number(std::get<double>(each), 'g', 3)
                                                        : QString::fromStdString(core::plainText(each)));
+    parts.removeDuplicates();
     return parts.join(QStringLiteral(", "));
 }
 

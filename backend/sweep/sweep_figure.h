@@ -16,9 +16,9 @@ namespace teleta::sweep {
 /// Axes with two values or more, as places in the plan.
 [[nodiscard]] std::vector<std::size_t> variedAxes(const SweepPlan& plan);
 
-/// "sd_Nm", "stiffness_N_per_m, radius_m": the last parts of the keys' names.
+/// "sd_Nm", "stiffness_N_per_m, radius_m": the last parts of the keys' names, each once.
 [[nodiscard]] QString axisTitle(const SweepAxis& axis);
-/// A value of an axis with four digits, "200, soft".
+/// A value of an axis with three digits, "200, soft"; what keys have in common once.
 [[nodiscard]] QString valueText(const SweepAxis& axis, std::size_t value);
 
 /// A chart of a measure (its place in the results) over the grid, as a picture. One varied axis:

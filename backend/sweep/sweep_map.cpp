@@ -19,7 +19,7 @@ constexpr double kMapBottom = 48.0;
 constexpr double kMapRight = 6.0;
 /// A value is written into its field where it has so much room, px.
 constexpr double kRoomForText = 34.0;
-constexpr double kLabelRoom = 44.0;
+constexpr double kLetterWidth = 6.5;
 
 struct MapColour {
     double red, green, blue;
@@ -94,7 +94,11 @@ void drawMap(figure::SvgCanvas& canvas, const MapBox& box, const SweepAxis& x, c
                                            : QStringLiteral("style=\"fill:#1b1b1f\""));
         }
     }
-    const std::size_t everyColumn = labelStep(width, x.values.size(), kLabelRoom);
+    qsizetype longest = 0;
+    for (std::size_t column = 0; column < x.values.size(); ++column)
+        longest = std::max(longest, valueText(x, column).size());
+    const std::size_t everyColumn =
+        labelStep(width, x.values.size(), kLetterWidth * static_cast<double>(longest) + 6.0);
     for (std::size_t column = 0; column < x.values.size(); column += everyColumn)
         canvas.text(left + (static_cast<double>(column) + 0.5) * fieldWidth, top + height + 16.0,
                     valueText(x, column), QStringLiteral("soft small middle"));

@@ -88,6 +88,17 @@ TEST(SweepFigure, ofMoreKeysHasAMapForEachOfTheOthers) {
     EXPECT_TRUE(many.contains(QStringLiteral("24 of 30")));
 }
 
+TEST(SweepFigure, namesWhatKeysHaveInCommonOnce) {
+    auto plan = sweep::parseSweepPlan(
+        "[sweep]\nscene = \"a\"\n[sweep.pairs]\n\"object.0.k_N_per_m\" = [200.0, 600.0]\n"
+        "\"object.1.k_N_per_m\" = [200.0, 700.0]\n",
+        "a.toml");
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(sweep::axisTitle(plan->axes[0]), QStringLiteral("k_N_per_m"));
+    EXPECT_EQ(sweep::valueText(plan->axes[0], 0), QStringLiteral("200"));
+    EXPECT_EQ(sweep::valueText(plan->axes[0], 1), QStringLiteral("600, 700"));
+}
+
 TEST(SweepFigure, ofNothingVariedIsNone) {
     const sweep::SweepPlan plan = planWith("x = [1]\n");
     EXPECT_TRUE(sweep::sweepFigure(plan, numbered(plan), 0) == std::nullopt);
