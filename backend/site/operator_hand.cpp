@@ -4,6 +4,9 @@
 namespace teleta::site {
 
 void OperatorHand::post(bool moves, std::int64_t given_ns) {
+    m_blocked = m_blocked && moves;
+    if (m_blocked)
+        return;
     if (moves) {
         m_press += m_letGo ? 1 : 0;
         m_given_ns = given_ns;
@@ -12,6 +15,13 @@ void OperatorHand::post(bool moves, std::int64_t given_ns) {
     }
     m_held = moves;
     m_letGo = !moves;
+}
+
+void OperatorHand::stop() {
+    if (m_held)
+        m_holdsLeft = kHolds;
+    m_held = false;
+    m_blocked = m_blocked || !m_letGo;
 }
 
 OperatorHand::Send OperatorHand::step(std::int64_t now_ns) {

@@ -26,6 +26,10 @@ public:
     /// moves: a rate other than zero, that is the switch is held. given_ns: when the view gave it.
     void post(bool moves, std::int64_t given_ns);
 
+    /// STOP is engaged, or was since the last call: the switch counts as let go, and one that is held through
+    /// it moves nothing until the view says that it was let go.
+    void stop();
+
     /// What to send now, every kPeriod_ns.
     [[nodiscard]] Send step(std::int64_t now_ns);
 
@@ -34,8 +38,9 @@ public:
     [[nodiscard]] std::uint32_t press() const { return m_press; }
 
 private:
-    bool m_held = false; ///< and not silent for too long
-    bool m_letGo = true; ///< the next command that moves is another press
+    bool m_held = false;    ///< and not silent for too long
+    bool m_letGo = true;    ///< the next command that moves is another press
+    bool m_blocked = false; ///< by STOP, until the switch is let go
     std::int64_t m_given_ns = std::numeric_limits<std::int64_t>::min();
     std::uint32_t m_press = 0;
     int m_holdsLeft = 0;

@@ -446,9 +446,11 @@ void SiteClient::command(std::int64_t now_ns) {
         }
         m_posted.clear();
     }
-    // The site stops by the presence; a switch that is held through STOP counts as let go.
-    if (m_stop.engaged() || leaves())
-        m_hand.post(false, now_ns);
+    // The site stops by the presence. A STOP that was released before a busy view looked counts, too.
+    const std::uint64_t engagements = m_stop.engagements();
+    const bool wasEngaged = std::exchange(m_engagements, engagements) != engagements;
+    if (m_stop.engaged() || wasEngaged || leaves())
+        m_hand.stop();
     if (now_ns < m_nextCommand_ns)
         return;
     const site::OperatorHand::Send send = m_hand.step(now_ns);

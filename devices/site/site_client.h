@@ -221,6 +221,7 @@ private:
     std::int64_t m_echoSite_ns = 0;
     site::ClockEstimator m_clock;
     site::OperatorHand m_hand;
+    std::uint64_t m_engagements = 0; ///< of STOP, that the hand knows of
     Posted m_newest;
     std::uint64_t m_commandNumber = 0;
     std::uint64_t m_presenceNumber = 0;

@@ -104,7 +104,10 @@ void JointViews::post(const core::JointVector& rate_radPerS) {
 }
 
 void JointViews::tick() {
-    m_jog->setStopEngaged(m_stop.engaged());
+    // One that was engaged and released between two ticks lets go of the keys, too.
+    const std::uint64_t engagements = m_stop.engagements();
+    const bool wasEngaged = std::exchange(m_engagements, engagements) != engagements;
+    m_jog->setStopEngaged(m_stop.engaged() || wasEngaged);
     if (m_arm) {
         m_samples.clear();
         core::JointSample sample;

@@ -66,6 +66,7 @@ private:
     void clear();
 
     core::StopSwitch& m_stop;
+    std::uint64_t m_engagements = 0; ///< of STOP, that a tick has seen
     view3d::Scene3dView& m_scene;
     charts::JointChartView* m_chart;
     touch::JogPanel* m_jog;

@@ -48,6 +48,48 @@ TEST(OperatorHand, aSilenceThatNobodySawIsNoPressEither) {
     EXPECT_EQ(hand.press(), 1U);
 }
 
+TEST(OperatorHand, aSwitchThatIsHeldThroughStopMovesNothingUntilItIsLetGo) {
+    OperatorHand hand;
+    hand.post(true, 0);
+    EXPECT_EQ(hand.step(kMs), Send::move);
+    hand.stop();
+    EXPECT_EQ(hand.step(20 * kMs), Send::hold);
+    // The view has not seen the STOP and goes on.
+    hand.post(true, 40 * kMs);
+    EXPECT_EQ(hand.step(40 * kMs), Send::hold);
+    for (int i = 0; i < OperatorHand::kHolds; ++i)
+        (void)hand.step(60 * kMs);
+    hand.post(true, 80 * kMs);
+    EXPECT_EQ(hand.step(80 * kMs), Send::nothing);
+    EXPECT_EQ(hand.press(), 1U);
+    hand.post(false, 100 * kMs);
+    hand.post(true, 120 * kMs);
+    EXPECT_EQ(hand.step(120 * kMs), Send::move);
+    EXPECT_EQ(hand.press(), 2U);
+}
+
+TEST(OperatorHand, aSwitchThatIsPressedDuringStopMovesNothingAfterIt) {
+    OperatorHand hand;
+    hand.stop();
+    hand.post(true, kMs);
+    hand.stop();
+    hand.post(true, 20 * kMs);
+    EXPECT_EQ(hand.step(20 * kMs), Send::hold);
+    hand.post(false, 40 * kMs);
+    hand.post(true, 60 * kMs);
+    EXPECT_EQ(hand.step(60 * kMs), Send::move);
+}
+
+TEST(OperatorHand, theFirstPressAfterAStopThatFoundNothingHeldCounts) {
+    OperatorHand hand;
+    hand.post(true, 0);
+    hand.post(false, kMs);
+    hand.stop();
+    hand.post(true, 20 * kMs);
+    EXPECT_EQ(hand.step(20 * kMs), Send::move);
+    EXPECT_EQ(hand.press(), 2U);
+}
+
 TEST(OperatorHand, aPressEndsTheHolds) {
     OperatorHand hand;
     hand.post(true, 0);
