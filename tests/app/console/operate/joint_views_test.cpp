@@ -196,6 +196,28 @@ private slots:
         QTRY_VERIFY((desk.views.tick(), desk.jog->refusal().contains("old")));
     }
 
+    void aStopBetweenTwoTicksLetsGoOfTheKeys() {
+        Desk desk;
+        desk.tell(JointVector::zeros(7));
+        QVERIFY2(desk.jog->refusal().isEmpty(), qPrintable(desk.jog->refusal()));
+        QTest::keyPress(desk.jog, Qt::Key_Shift);
+        QTest::keyPress(desk.jog, Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(desk.jog->isMoving());
+        desk.stop.engage();
+        desk.stop.release();
+        desk.tell(JointVector::zeros(7));
+        QVERIFY(!desk.jog->isMoving());
+        desk.tell(JointVector::zeros(7));
+        QVERIFY(!desk.jog->isMoving());
+        // The panel can be used again, by another press.
+        QVERIFY2(desk.jog->refusal().isEmpty(), qPrintable(desk.jog->refusal()));
+        QTest::keyRelease(desk.jog, Qt::Key_W, Qt::ShiftModifier);
+        QTest::keyRelease(desk.jog, Qt::Key_Shift);
+        QTest::keyPress(desk.jog, Qt::Key_Shift);
+        QTest::keyPress(desk.jog, Qt::Key_W, Qt::ShiftModifier);
+        QVERIFY(desk.jog->isMoving());
+    }
+
     void theFormerArmIsStoppedAndItsChartComesBack() {
         Desk desk;
         desk.tell(JointVector::zeros(7));
