@@ -3379,6 +3379,21 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>DurationText</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
@@ -12314,6 +12329,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Run a scene over a grid of settings and seeds, here or on a cluster</source>
         <translation>Exécuter une scène sur une grille de réglages et de graines, ici ou sur une grappe de calcul</translation>
     </message>
+    <message>
+        <source>needs --slurm or --task</source>
+        <translation>a besoin de --slurm ou --task</translation>
+    </message>
 </context>
 <context>
     <name>SweepFigure</name>
@@ -12473,18 +12492,6 @@ Lancez teleta-site --help pour en savoir plus.
 </context>
 <context>
     <name>SweepReport</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 min %2 s</translation>
-    </message>
-    <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
-    </message>
     <message>
         <source>%1 of %2 runs, %3 failed, %4 left</source>
         <translation>%1 exécutions sur %2, %3 échouées, encore %4</translation>
@@ -20210,14 +20217,6 @@ Lancez teleta-site --help pour en savoir plus.
 </context>
 <context>
     <name>teleta::console::SweepPanel</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 min %2 s</translation>
-    </message>
     <message>
         <source>Open the results of a sweep</source>
         <translation>Ouvrir les résultats d’un balayage</translation>

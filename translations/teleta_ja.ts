@@ -3374,6 +3374,21 @@ Examples:
     </message>
 </context>
 <context>
+    <name>DurationText</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 時間 %2 分</translation>
+    </message>
+</context>
+<context>
     <name>EqualStrength</name>
     <message>
         <source>tactor %1 has no level at which it feels as strong as tactor %2</source>
@@ -12283,6 +12298,10 @@ Run teleta-site --help for more.
         <source>Run a scene over a grid of settings and seeds, here or on a cluster</source>
         <translation>設定とシードの格子でシーンを実行する。このマシンまたはクラスターで</translation>
     </message>
+    <message>
+        <source>needs --slurm or --task</source>
+        <translation>--slurm または --task が必要です</translation>
+    </message>
 </context>
 <context>
     <name>SweepFigure</name>
@@ -12442,18 +12461,6 @@ Run teleta-site --help for more.
 </context>
 <context>
     <name>SweepReport</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 分 %2 秒</translation>
-    </message>
-    <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 時間 %2 分</translation>
-    </message>
     <message>
         <source>%1 of %2 runs, %3 failed, %4 left</source>
         <translation>%2 回中 %1 回、失敗 %3、残り %4</translation>
@@ -20153,14 +20160,6 @@ Run teleta-site --help for more.
 </context>
 <context>
     <name>teleta::console::SweepPanel</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 分 %2 秒</translation>
-    </message>
     <message>
         <source>Open the results of a sweep</source>
         <translation>スイープの結果を開く</translation>

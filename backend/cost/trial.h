@@ -11,6 +11,13 @@
 
 namespace teleta::cost {
 
+/// Processor time of the calling thread. Thread: any.
+[[nodiscard]] inline std::int64_t threadTime_ns() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
 /// One timed piece of a rung's work and how far its answers are from the truth. Only what runs inside timed()
 /// counts as time; inputs are made before it, answers are compared after it. Thread: one.
 class Trial {
@@ -44,12 +51,6 @@ public:
     [[nodiscard]] const std::vector<double>& errors() const { return m_errors; }
 
 private:
-    [[nodiscard]] static std::int64_t threadTime_ns() {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-    }
-
     std::size_t m_index;
     double m_time_s = 0.0;
     double m_takenAway = 0.0;

@@ -99,7 +99,7 @@ core::Expected<std::unique_ptr<SweepSubject>> makeLadderSubject(SweepPlan& plan,
                     core::ErrorKind::badInput,
                     LadderSweepText::tr("unknown key \"%1\"").arg(QString::fromStdString(key.name)),
                     LadderSweepText::tr("rung"), key.place);
-    TELETA_CHECK(checkCells(plan, [&](std::uint64_t cell) -> core::Expected<void> {
+    TELETA_CHECK(checkCells(plan, sources.checked, [&](std::uint64_t cell) -> core::Expected<void> {
         const QString rung = QString::fromStdString(rungOf(plan.settingsOf(cell)));
         if (names.contains(rung))
             return {};

@@ -128,7 +128,7 @@ core::Expected<std::unique_ptr<SweepSubject>> makeSceneSubject(const SweepPlan& 
         base.file = plan.subject;
     TELETA_TRY(base.text, sources.sceneText(base.file));
     TELETA_TRY(const SweptScene plain, sceneOf(base, {}));
-    TELETA_CHECK(checkCells(plan, [&](std::uint64_t cell) -> core::Expected<void> {
+    TELETA_CHECK(checkCells(plan, sources.checked, [&](std::uint64_t cell) -> core::Expected<void> {
         return sceneOf(base, plan.settingsOf(cell)).map([](const SweptScene&) {});
     }));
     const auto* world = std::get_if<scene::Scene>(&plain);

@@ -122,7 +122,8 @@ private:
 
 } // namespace
 
-core::Expected<std::unique_ptr<SweepSubject>> makeStudySubject(const SweepPlan& plan) {
+core::Expected<std::unique_ptr<SweepSubject>> makeStudySubject(const SweepPlan& plan,
+                                                               const SubjectSources& sources) {
     StudyTexts texts;
     texts.protocolFile = pathBeside(plan, plan.subject);
     if (core::requireFile(texts.protocolFile)) {
@@ -137,7 +138,7 @@ core::Expected<std::unique_ptr<SweepSubject>> makeStudySubject(const SweepPlan& 
     texts.test = plan.test;
     texts.participants = plan.participants;
     TELETA_CHECK(studyOf(texts, {}));
-    TELETA_CHECK(checkCells(plan, [&](std::uint64_t cell) -> core::Expected<void> {
+    TELETA_CHECK(checkCells(plan, sources.checked, [&](std::uint64_t cell) -> core::Expected<void> {
         return studyOf(texts, plan.settingsOf(cell)).map([](const DrawnStudy&) {});
     }));
     return std::make_unique<StudySubject>(std::move(texts));

@@ -35,7 +35,10 @@ const char* kindName(SubjectKind kind) {
 /// The content of sweep.json; with results also how far it has come.
 nlohmann::ordered_json documentOf(const SweepFolder& sweep, const SweepPlan& plan,
                                   const SweepResults* results) {
-    const std::string file = QFileInfo(QString::fromStdString(plan.file)).fileName().toStdString();
+    const QFileInfo info(QString::fromStdString(plan.file));
+    // One that comes with the program has a name and no file.
+    const std::string file =
+        (plan.file.starts_with(":/") ? info.completeBaseName() : info.fileName()).toStdString();
     nlohmann::ordered_json document{
         {"format", kSweepFormat},
         {"file", file},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/sweep/sweep_parts.h"
 
+#include "backend/core/data/csv_number.h"
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/data/csv_writer.h"
 #include "backend/core/failure.h"
@@ -14,6 +15,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fcntl.h>
 #include <optional>
@@ -59,12 +61,6 @@ core::Expected<std::string> takeNumber(const std::string& folder) {
     }
 }
 
-std::optional<double> numberIn(std::string_view text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
 core::Expected<void> readPart(const std::string& path, const std::function<void(RunRow&&)>& take) {
     TELETA_TRY(core::CsvReader reader, core::CsvReader::open(path));
     const std::vector<std::string>& header = reader.header();
@@ -80,8 +76,8 @@ core::Expected<void> readPart(const std::string& path, const std::function<void(
         RunRow row;
         std::uint64_t run = 0;
         const auto [end, error] = std::from_chars(fields[0].data(), fields[0].data() + fields[0].size(), run);
-        const auto wall_s = numberIn(fields[3]);
-        const auto processor_s = numberIn(fields[4]);
+        const auto wall_s = core::numberOrNA(fields[3]);
+        const auto processor_s = core::numberOrNA(fields[4]);
         if (error != std::errc() || end != fields[0].data() + fields[0].size() || !wall_s || !processor_s)
             return core::failed(core::ErrorKind::badInput, SweepPartsText::tr("this is no row of a sweep"),
                                 SweepPartsText::tr("the number of a run and its times"), reader.place(0));
@@ -91,13 +87,12 @@ core::Expected<void> readPart(const std::string& path, const std::function<void(
         if (fields[1] != "ok")
             row.reason = fields[2].empty() ? std::string("failed") : std::string(fields[2]);
         for (std::size_t i = kRunColumns.size(); i < fields.size(); ++i) {
-            if (fields[i] == "NA")
-                continue;
-            const auto value = numberIn(fields[i]);
+            const auto value = core::numberOrNA(fields[i]);
             if (!value)
                 return core::failed(core::ErrorKind::badInput, SweepPartsText::tr("this is no number"),
                                     SweepPartsText::tr("a number or NA"), reader.place(i));
-            row.measures.emplace_back(header[i], *value);
+            if (!std::isnan(*value))
+                row.measures.emplace_back(header[i], *value);
         }
         take(std::move(row));
     }

@@ -4,6 +4,7 @@
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
+#include "backend/cost/trial.h"
 #include "backend/sweep/frame_parts.h"
 #include "backend/sweep/sweep_parts.h"
 
@@ -16,7 +17,6 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -35,12 +35,6 @@ constexpr std::size_t kWorstCells = 5;
 struct SweepRunnerText {
     Q_DECLARE_TR_FUNCTIONS(SweepRunner)
 };
-
-double threadTime_s() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// "contact_error_m" of "contact_error_m[2]" and "phases" of "phases.align".
 std::string baseName(const std::string& measure) {
@@ -216,9 +210,9 @@ private:
             onFrame = [&frames](const scene_run::LabelledFrame& frame) { frames.add(frame); };
         }
         const std::int64_t start_ns = core::steadyNow_ns();
-        const double start_s = threadTime_s();
+        const std::int64_t ownStart_ns = cost::threadTime_ns();
         auto measures = worker.run(m_plan, m_plan.cellOf(run), m_plan.seedOf(run), onFrame);
-        row.processor_s = threadTime_s() - start_s;
+        row.processor_s = core::elapsed_s(ownStart_ns, cost::threadTime_ns());
         row.wall_s = core::elapsed_s(start_ns, core::steadyNow_ns());
         if (measures) {
             row.measures = std::move(*measures);

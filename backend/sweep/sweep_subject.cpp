@@ -40,8 +40,10 @@ core::Error atKeyOf(const SweepPlan& plan, std::uint64_t cell, core::Error error
     return error;
 }
 
-core::Expected<void> checkCells(const SweepPlan& plan,
+core::Expected<void> checkCells(const SweepPlan& plan, bool checked,
                                 const std::function<core::Expected<void>(std::uint64_t cell)>& check) {
+    if (checked)
+        return {};
     // The cells in which one axis alone is not at its first value.
     std::vector<std::uint64_t> single{0};
     std::uint64_t step = 1;
@@ -51,13 +53,13 @@ core::Expected<void> checkCells(const SweepPlan& plan,
         step *= plan.axes[i].values.size();
     }
     for (const std::uint64_t cell : single)
-        if (const auto checked = check(cell); !checked)
-            return core::Unexpected(atKeyOf(plan, cell, checked.error()));
+        if (const auto tried = check(cell); !tried)
+            return core::Unexpected(atKeyOf(plan, cell, tried.error()));
     const std::set<std::uint64_t> done(single.begin(), single.end());
     for (std::uint64_t cell = 0; cell < std::min(plan.cells(), kMostCheckedCells); ++cell)
         if (!done.contains(cell))
-            if (const auto checked = check(cell); !checked)
-                return core::Unexpected(atKeyOf(plan, cell, checked.error()));
+            if (const auto tried = check(cell); !tried)
+                return core::Unexpected(atKeyOf(plan, cell, tried.error()));
     return {};
 }
 
@@ -69,7 +71,7 @@ std::string pathBeside(const SweepPlan& plan, const std::string& path) {
 core::Expected<std::unique_ptr<SweepSubject>> makeSubject(SweepPlan& plan, const SubjectSources& sources) {
     switch (plan.kind) {
     case SubjectKind::study:
-        return makeStudySubject(plan);
+        return makeStudySubject(plan, sources);
     case SubjectKind::ladder:
         return makeLadderSubject(plan, sources);
     case SubjectKind::scene:

@@ -50,6 +50,7 @@ struct SubjectSources {
     /// The text of a scene by file or name, and the name for errors.
     std::function<core::Expected<std::string>(const std::string& fileOrName)> sceneText;
     std::vector<cost::Ladder> ladders;
+    bool checked = false; ///< every cell was tried before, as for the tasks of an array
 };
 
 /// Reads what the plan runs and tries the settings of every cell. A path is relative to the folder of the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/cost/sweep_panel.h"
 
+#include "app/common/duration_text.h"
 #include "app/common/scene_file.h"
 #include "backend/sweep/sweep_figure.h"
 #include "widgets/base/compose.h"
@@ -23,7 +24,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace teleta::console {
 
@@ -34,15 +34,6 @@ constexpr int kMostRows = 2000;
 
 QString numberText(const std::optional<double>& value) {
     return value ? QLocale().toString(*value, 'g', 4) : QStringLiteral("\u2014");
-}
-
-/// "1 min 20 s" of a duration.
-QString leftText(double left_s) {
-    if (!std::isfinite(left_s))
-        return QStringLiteral("\u2014");
-    const auto seconds = static_cast<qint64>(std::ceil(left_s));
-    return seconds < 60 ? SweepPanel::tr("%1 s").arg(seconds)
-                        : SweepPanel::tr("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
 }
 
 } // namespace
@@ -279,7 +270,7 @@ void SweepPanel::tick() {
                                 .arg(progress->done)
                                 .arg(progress->all)
                                 .arg(progress->failed)
-                                .arg(leftText(progress->left_s)));
+                                .arg(app::durationText(progress->left_s)));
 }
 
 void SweepPanel::retranslate() {

@@ -41,9 +41,10 @@ struct SweepText {
     Q_DECLARE_TR_FUNCTIONS(SweepCommand)
 };
 
-sweep::SubjectSources sources() {
+/// checked: every cell was tried when the array was submitted.
+sweep::SubjectSources sources(bool checked) {
     return {[](const std::string& name) -> core::Expected<std::string> { return app::sceneText(name); },
-            cost::allLadders()};
+            cost::allLadders(), checked};
 }
 
 std::string absolute(const std::string& path) {
@@ -83,6 +84,7 @@ public:
                 ->check(between(1, kMostTasks));
         addOption(app, "--runs-per-task", m_runsPerTask, SweepText::tr("Of Slurm: runs of one task"), "K")
             ->check(between(1, kMostTasks))
+            ->needs(slurm)
             ->excludes(tasks);
         addOption(app, "--sbatch-option", m_sbatchOptions,
                   SweepText::tr("Of Slurm: an option of sbatch, such as --partition=short; may come again"),
@@ -105,10 +107,13 @@ public:
             refuse("sweep", SweepText::tr("is required"));
         if (m_folder.empty())
             refuse("--out", SweepText::tr("is required"));
+        if (m_tasks && !m_slurm && !m_task)
+            refuse("--tasks", SweepText::tr("needs --slurm or --task"));
         if (m_task && *m_task >= *m_tasks)
             refuse("--task", SweepText::tr("is not below the number of tasks, %1").arg(*m_tasks));
         TELETA_TRY(sweep::SweepPlan plan, readPlan());
-        TELETA_TRY(const std::unique_ptr<sweep::SweepSubject> subject, sweep::makeSubject(plan, sources()));
+        TELETA_TRY(const std::unique_ptr<sweep::SweepSubject> subject,
+                   sweep::makeSubject(plan, sources(m_task.has_value())));
         const sweep::SweepFolder folder{m_folder, subject->source(),
                                         QCoreApplication::applicationVersion().toStdString(),
                                         !m_frames.empty()};

@@ -2,6 +2,7 @@
 #include "app/cli/commands/sweep/sweep_report.h"
 
 #include "app/cli/base/command_io.h"
+#include "app/common/duration_text.h"
 #include "backend/core/steady_time.h"
 
 #include <QCoreApplication>
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <unistd.h>
@@ -70,17 +70,6 @@ nlohmann::ordered_json documentOf(const sweep::SweepPlan& plan, const sweep::Swe
 
 } // namespace
 
-QString durationText(double duration_s) {
-    if (!std::isfinite(duration_s))
-        return QStringLiteral("?");
-    const auto whole = static_cast<long long>(std::ceil(duration_s));
-    if (whole < 60)
-        return SweepReportText::tr("%1 s").arg(whole);
-    if (whole < 3600)
-        return SweepReportText::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
-    return SweepReportText::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
-}
-
 SweepScreen::SweepScreen(const sweep::SweepPlan& plan)
     : m_plan(plan)
     , m_shown(isatty(STDERR_FILENO) != 0) {
@@ -100,7 +89,7 @@ void SweepScreen::update(const sweep::SweepProgress& progress) {
                           .arg(progress.done)
                           .arg(progress.all)
                           .arg(progress.failed)
-                          .arg(durationText(progress.left_s))};
+                          .arg(app::durationText(progress.left_s))};
     if (!progress.worst.empty())
         lines << SweepReportText::tr("Worst cells so far:");
     for (const sweep::WorstCell& worst : progress.worst) {
@@ -130,7 +119,7 @@ core::Expected<void> printSweep(const sweep::SweepPlan& plan, const sweep::Sweep
                        : SweepReportText::tr("%1 of %2").arg(results.done).arg(results.all)},
                   {SweepReportText::tr("Failed"), QString::number(results.failed)},
                   {SweepReportText::tr("Cells"), QString::number(results.cells.size())},
-                  {SweepReportText::tr("Processor time"), durationText(processor_s)}};
+                  {SweepReportText::tr("Processor time"), app::durationText(processor_s)}};
     for (std::size_t i = 0; i < results.measures.size(); ++i) {
         std::optional<double> least, most;
         for (const sweep::CellResult& cell : results.cells)

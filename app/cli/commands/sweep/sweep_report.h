@@ -6,8 +6,6 @@
 #include "backend/sweep/sweep_results.h"
 #include "backend/sweep/sweep_runner.h"
 
-#include <QString>
-
 #include <cstdint>
 
 namespace teleta::cli {
@@ -30,9 +28,6 @@ private:
     int m_lines = 0; ///< that are on the screen
     std::int64_t m_next_ns = 0;
 };
-
-/// "5 min 12 s"; "?" when it is not known.
-[[nodiscard]] QString durationText(double duration_s);
 
 /// On standard output: fields and, of each measure, the range of its means; or one JSON document,
 ///   {"folder","runs","done","failed","cells":[{"cell","settings":{},"runs","failed","measures":{NAME:
