@@ -30,6 +30,8 @@ constexpr double kPanelHeight = 240.0;
 constexpr std::size_t kMostPanels = 24;
 constexpr std::size_t kPanelColumns = 3;
 constexpr double kTitleHeight = 44.0;
+/// Of labels that are texts, which stand aslant.
+constexpr double kTextLabels = 70.0;
 constexpr double kPlotLeft = 88.0;
 constexpr double kPlotRight = kWidth - 24.0;
 
@@ -39,6 +41,14 @@ std::optional<double> numberOf(const core::TomlValue& value) {
     if (const long long* whole = std::get_if<long long>(&value))
         return static_cast<double>(*whole);
     return std::nullopt;
+}
+
+/// Its values are numbers, so that a line between them means something.
+bool isOrdered(const SweepAxis& axis) {
+    return std::ranges::all_of(axis.values, [](const std::vector<core::TomlValue>& value) {
+        return std::ranges::all_of(value,
+                                   [](const core::TomlValue& each) { return numberOf(each).has_value(); });
+    });
 }
 
 /// The cell with these values of the axes.
@@ -131,17 +141,24 @@ void drawGrid(SvgCanvas& canvas, const UpAxis& up, const SweepAxis& x, const std
     double last = -1e9;
     for (std::size_t i = 0; i < places.size(); ++i) {
         canvas.line(places[i], up.bottom, places[i], up.bottom + 5.0, QStringLiteral("ink"));
-        if (places[i] - last < 46.0)
+        if (!isOrdered(x)) {
+            canvas.text(places[i] + 4.0, up.bottom + 16.0, valueText(x, i), QStringLiteral("soft small end"),
+                        QStringLiteral("transform=\"rotate(-30 %1 %2)\"")
+                            .arg(svgNumber(places[i] + 4.0), svgNumber(up.bottom + 16.0)));
+            continue;
+        }
+        if (places[i] - last < std::max(46.0, 6.6 * static_cast<double>(valueText(x, i).size())))
             continue;
         canvas.text(places[i], up.bottom + 20.0, valueText(x, i), QStringLiteral("soft small middle"));
         last = places[i];
     }
     canvas.line(kPlotLeft, up.bottom, kPlotRight, up.bottom, QStringLiteral("ink"));
-    canvas.text(0.5 * (kPlotLeft + kPlotRight), up.bottom + 42.0, axisTitle(x), QStringLiteral("ink middle"));
+    canvas.text(0.5 * (kPlotLeft + kPlotRight), up.bottom + 42.0 + (isOrdered(x) ? 0.0 : kTextLabels),
+                axisTitle(x), QStringLiteral("ink middle"));
 }
 
 void drawSeries(SvgCanvas& canvas, const UpAxis& up, const std::vector<double>& places, const Series& series,
-                std::size_t number, bool share, double shift) {
+                std::size_t number, bool share, bool joined, double shift) {
     const QString colour = QStringLiteral("series%1").arg(number % SvgCanvas::kSeries);
     std::vector<std::pair<double, double>> line, low, high;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -154,10 +171,12 @@ void drawSeries(SvgCanvas& canvas, const UpAxis& up, const std::vector<double>& 
             high.emplace_back(places[i] + shift, up.at(*measure.p95));
         }
     }
+    for (std::size_t i = 0; i < (joined ? 0 : low.size()); ++i)
+        canvas.path({low[i], high[i]}, QStringLiteral("class=\"hollow thin dotted %1\"").arg(colour));
     for (const auto* edge : {&low, &high})
-        if (edge->size() > 1)
+        if (joined && edge->size() > 1)
             canvas.path(*edge, QStringLiteral("class=\"hollow thin dotted %1\"").arg(colour));
-    if (line.size() > 1)
+    if (joined && line.size() > 1)
         canvas.path(line, QStringLiteral("class=\"hollow %1\"").arg(colour));
     std::size_t drawn = 0;
     for (const CellMeasure* measure : series.measures) {
@@ -185,13 +204,14 @@ void drawLines(SvgCanvas& canvas, const SweepPlan& plan, const std::vector<Serie
                 values.insert(values.end(), {*measure->low95, *measure->high95});
         }
     const bool legend = lines.size() > 1;
-    const UpAxis up = upAxis(values, share, kTitleHeight + (legend ? 28.0 : 8.0), kLinesHeight - 74.0);
+    const UpAxis up = upAxis(values, share, kTitleHeight + (legend ? 28.0 : 8.0),
+                             kLinesHeight - 74.0 - (isOrdered(x) ? 0.0 : kTextLabels));
     std::vector<double> places = sharesOf(x);
     for (double& place : places)
         place = kPlotLeft + 20.0 + (kPlotRight - kPlotLeft - 40.0) * place;
     drawGrid(canvas, up, x, places);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        drawSeries(canvas, up, places, lines[i], i, share,
+        drawSeries(canvas, up, places, lines[i], i, share, isOrdered(x),
                    3.0 * (static_cast<double>(i) - 0.5 * static_cast<double>(lines.size() - 1)));
     if (legend) {
         double left = kPlotLeft;
@@ -270,7 +290,7 @@ QString axisTitle(const SweepAxis& axis) {
 QString valueText(const SweepAxis& axis, std::size_t value) {
     QStringList parts;
     for (const core::TomlValue& each : axis.values[value])
-        parts << (std::holds_alternative<double>(each) ? QString::number(std::get<double>(each), 'g', 3)
+        parts << (std::holds_alternative<double>(each) ? shortNumber(std::get<double>(each))
                                                        : QString::fromStdString(core::plainText(each)));
     parts.removeDuplicates();
     return parts.join(QStringLiteral(", "));

@@ -13,7 +13,7 @@ namespace {
 
 using figure::svgNumber;
 
-constexpr double kMapLeft = 78.0;
+constexpr double kMapLeft = 86.0;
 constexpr double kMapTop = 24.0;
 constexpr double kMapBottom = 48.0;
 constexpr double kMapRight = 6.0;
@@ -59,7 +59,8 @@ std::size_t labelStep(double size, std::size_t values, double room) {
 } // namespace
 
 QString shortNumber(double value) {
-    return QString::number(value, 'g', 3);
+    // Rounded first: 20000 rather than 2e+04.
+    return QString::number(QString::number(value, 'g', 3).toDouble(), 'g', 6);
 }
 
 void drawMap(figure::SvgCanvas& canvas, const MapBox& box, const SweepAxis& x, const SweepAxis& y,
@@ -71,7 +72,7 @@ void drawMap(figure::SvgCanvas& canvas, const MapBox& box, const SweepAxis& x, c
     const double height = box.height - kMapTop - kMapBottom;
     const double fieldWidth = width / static_cast<double>(x.values.size());
     const double fieldHeight = height / static_cast<double>(y.values.size());
-    canvas.text(left, box.top + 15.0, heading, QStringLiteral("ink small bold"));
+    canvas.text(box.left + 24.0, box.top + 15.0, heading, QStringLiteral("ink small bold"));
     for (std::size_t row = 0; row < y.values.size(); ++row) {
         const double fieldTop = top + height - static_cast<double>(row + 1) * fieldHeight;
         for (std::size_t column = 0; column < x.values.size(); ++column) {

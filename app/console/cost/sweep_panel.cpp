@@ -125,6 +125,7 @@ QWidget* SweepPanel::makeMiddle() {
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setShowGrid(false);
     m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.7));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto* parts = new QSplitter(Qt::Vertical, middle);
     parts->setChildrenCollapsible(false);
@@ -209,8 +210,8 @@ void SweepPanel::showMeasure() {
     else
         m_picture->setPicture(std::nullopt);
     QStringList headers;
-    for (const std::string& key : plan.keys())
-        headers << QString::fromStdString(key.substr(key.rfind('.') + 1));
+    for (const sweep::SweepAxis& axis : plan.axes)
+        headers << sweep::axisTitle(axis);
     headers << tr("Runs") << tr("Failed") << tr("Mean") << tr("Spread") << tr("95 % from") << tr("95 % to");
     m_table->setColumnCount(static_cast<int>(headers.size()));
     m_table->setHorizontalHeaderLabels(headers);
@@ -224,8 +225,9 @@ void SweepPanel::showMeasure() {
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             m_table->setItem(row, column++, item);
         };
-        for (const auto& [key, setting] : plan.settingsOf(cell.cell))
-            set(QString::fromStdString(core::plainText(setting)));
+        const std::vector<std::size_t> place = plan.placeOf(cell.cell);
+        for (std::size_t i = 0; i < place.size(); ++i)
+            set(sweep::valueText(plan.axes[i], place[i]));
         set(QString::number(cell.runs));
         set(QString::number(cell.failed));
         set(numberText(value.mean));

@@ -88,6 +88,14 @@ TEST(SweepFigure, ofMoreKeysHasAMapForEachOfTheOthers) {
     EXPECT_TRUE(many.contains(QStringLiteral("24 of 30")));
 }
 
+TEST(SweepFigure, joinsNoTexts) {
+    const QString texts = figureOf(planWith("kind = [\"soft\", \"hard\", \"rigid\"]\n"));
+    EXPECT_EQ(texts.count(QStringLiteral("<circle")), 3);
+    EXPECT_FALSE(texts.contains(QStringLiteral("class=\"hollow series0\"")));
+    const QString numbers = figureOf(planWith("x = [1, 2, 3]\n"));
+    EXPECT_TRUE(numbers.contains(QStringLiteral("class=\"hollow series0\"")));
+}
+
 TEST(SweepFigure, namesWhatKeysHaveInCommonOnce) {
     auto plan = sweep::parseSweepPlan(
         "[sweep]\nscene = \"a\"\n[sweep.pairs]\n\"object.0.k_N_per_m\" = [200.0, 600.0]\n"
