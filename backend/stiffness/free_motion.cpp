@@ -2,6 +2,7 @@
 #include "backend/stiffness/free_motion.h"
 
 #include "backend/stiffness/residual_pattern.h"
+#include "backend/stiffness/speed_up.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,8 @@ constexpr double kSteeper = 2.5;
 /// The bend must take off so many times the variance of the noise from the squares: noise alone bends a line
 /// somewhere, too, by about 2 ln n.
 constexpr double kBendSquares = 50.0;
+/// Size that a drift may have beside an acceleration, over the rise.
+constexpr double kLikelyDrift = 0.2;
 /// Samples beyond so many windows or durations would lose the digits of the others.
 constexpr double kFarthest = 1e6;
 
@@ -77,6 +80,24 @@ std::size_t firstOfEvenMotion(std::span<const JointSample> free) {
             return end;
     }
     return 0;
+}
+
+/// The torque of a motion that begins, in place of a line over its last part.
+void take(const SpeedUp& speedUp, std::size_t from, std::span<const JointSample> log, FreeMotion& free) {
+    free.first = from + speedUp.first;
+    free.samples = speedUp.samples;
+    const JointSample& last = log[free.first + free.samples - 1];
+    free.middle_s = last.time_s;
+    free.middle_rad = last.angle_rad;
+    free.torque_Nm = speedUp.torque_Nm;
+    free.torqueSe_Nm = speedUp.torqueSe_Nm;
+    free.drift_NmPerS = speedUp.drift_NmPerS;
+    free.driftSe_NmPerS = speedUp.driftSe_NmPerS;
+    free.rate_radPerS = speedUp.rate_radPerS;
+    free.sd_Nm = speedUp.sd_Nm;
+    free.inflation = speedUp.inflation;
+    free.inertia_kgm2 = speedUp.inertia_kgm2;
+    free.accelerationWidth_s = speedUp.halfWidth_s;
 }
 
 } // namespace
@@ -189,6 +210,9 @@ std::optional<FreeMotion> findFreeMotion(std::span<const JointSample> log, const
         free.driftSe_NmPerS = sd_Nm / std::sqrt(timeSquares) / span_s;
         free.rate_radPerS = angleProducts / timeSquares / span_s;
     }
+    const double likelyDrift_NmPerS = kLikelyDrift * steep * window.width_Nm() / span_s;
+    if (const auto speedUp = findSpeedUp(log.subspan(from), last - from, likelyDrift_NmPerS))
+        take(*speedUp, from, log, free);
     return free;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/stiffness/touch_errors.h"
 
+#include "backend/stiffness/speed_up.h"
+
 #include <algorithm>
 #include <functional>
 #include <numbers>
@@ -41,7 +43,9 @@ TaredTouch tare(std::span<const JointSample> samples, const TouchSettings& setti
     if (free) {
         // A short free motion tells no drift of a long touch.
         const bool lasts = free->samples * kLongestTouch >= tared.log.size() - free->contact;
-        if (lasts && std::abs(free->drift_NmPerS) > kSeen_se * free->driftSe_NmPerS)
+        tared.driftSeen = lasts && std::abs(free->drift_NmPerS) > kSeen_se * free->driftSe_NmPerS;
+        // Beside an acceleration a drift may be large and yet not seen.
+        if (tared.driftSeen || (lasts && free->spedUp()))
             tared.drift_NmPerS = free->drift_NmPerS;
         const double seen_Nm =
             free->torque_Nm + tared.drift_NmPerS * free->later_s(tared.log[free->contact]) - middle_Nm;
@@ -206,6 +210,11 @@ std::vector<ErrorPart> TouchErrors::parts() const {
     const JointSample& last = *(past - 1);
     const double lasts_s = last.time_s - begin->time_s;
     const double seen = value_mPerN * free.driftSe_NmPerS * lasts_s / rise_Nm;
+    if (free.spedUp()) {
+        const double inertia_Nm = std::abs(free.inertia_kgm2) * changeOfAcceleration(*begin, last);
+        if (inertia_Nm > kRounding * rise_Nm)
+            add(ErrorSource::inertia, value_mPerN * inertia_Nm / rise_Nm);
+    }
     if (m_tared.drift_NmPerS == 0.0) {
         // A free motion that is too short to tell does not widen the answer without end.
         add(ErrorSource::torqueDrift, std::min(seen, noise_mPerN * std::sqrt(m_inflation)));
@@ -220,6 +229,13 @@ std::vector<ErrorPart> TouchErrors::parts() const {
     return parts;
 }
 
+double TouchErrors::changeOfAcceleration(const JointSample& begin, const JointSample& last) const {
+    const auto at = [this](double time_s) {
+        return accelerationAt(m_touch.log, time_s, m_tared.free->accelerationWidth_s).value_or(0.0);
+    };
+    return std::abs(at(last.time_s) - at(begin.time_s));
+}
+
 void TouchErrors::tell(TouchStiffness& touch) const {
     const auto warn = [&touch](TouchWarning warning, bool seen) {
         if (seen)
@@ -232,7 +248,7 @@ void TouchErrors::tell(TouchStiffness& touch) const {
     warn(TouchWarning::coarseTorque, coarseTorque);
     warn(TouchWarning::coarseAngle, coarseAngle);
     warn(TouchWarning::torqueOffset, m_tared.offsetSeen);
-    warn(TouchWarning::torqueDrift, m_tared.drift_NmPerS != 0.0);
+    warn(TouchWarning::torqueDrift, m_tared.driftSeen);
     warn(TouchWarning::nonlinear, m_bends && !m_pattern.rateDependent);
     warn(TouchWarning::rateDependent, m_pattern.rateDependent);
     warn(TouchWarning::stickSlip, m_pattern.stickSlip);

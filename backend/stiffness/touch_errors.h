@@ -48,6 +48,7 @@ struct TaredTouch {
     std::optional<FreeMotion> free;
     double reference_Nm = 0.0; ///< taken off at the contact
     double drift_NmPerS = 0.0; ///< taken off
+    bool driftSeen = false;
     bool offsetSeen = false;
 };
 
@@ -96,6 +97,8 @@ private:
     void findBend();
     void findPattern();
     [[nodiscard]] double later_s(const JointSample& sample) const;
+    /// In rad/s^2.
+    [[nodiscard]] double changeOfAcceleration(const JointSample& begin, const JointSample& last) const;
     /// Of the torque about a line, from the free motion or the neighbours.
     [[nodiscard]] double noise_Nm() const;
 

@@ -43,6 +43,8 @@ const char* toString(ErrorSource source) {
         return "link_stiffness";
     case ErrorSource::curvature:
         return "curvature";
+    case ErrorSource::inertia:
+        return "inertia";
     }
     return "";
 }

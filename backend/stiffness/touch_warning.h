@@ -37,6 +37,7 @@ enum class ErrorSource {
     contactDistance, ///< where the contact is
     linkStiffness,   ///< the link's own
     curvature,       ///< the line of angle over torque bends
+    inertia,         ///< the joint changes its speed within the window
 };
 
 /// Name in files, such as "contact_distance".

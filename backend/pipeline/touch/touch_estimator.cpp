@@ -206,12 +206,17 @@ void TouchEstimator::watch(const JointSample& sample) {
     for (std::size_t joint = 0; joint < m_arm.joints(); ++joint)
         m_detectors[joint].update(ofJoint(sample, joint), m_reference_Nm[joint]);
     if (elbow.phase() == ContactPhase::free) {
-        // What follows a touch is another free motion; a spike of noise ends none.
+        // What follows a touch is another free motion; a spike of noise, or what the links take to speed up,
+        // ends none.
         if (before == ContactPhase::contact)
             m_free.clear();
         keepFree(sample);
         return;
     }
+    const auto transition = elbow.transition();
+    if (elbow.phase() == ContactPhase::transition && !transition.empty() &&
+        sample.sourceTime_s - transition.front().time_s <= m_settings.newReference_s)
+        m_free.push_back(sample);
     if (before == ContactPhase::free)
         m_riseAngles_rad.clear();
     if (m_riseAngles_rad.size() < elbow.transition().size())
@@ -482,8 +487,9 @@ TouchEstimator::pressingRise(const arm::JointVector& depthPerAngle_m) const {
     std::vector<stiffness::JointSample> rise;
     rise.reserve(m_free.size() + transition.size());
     for (const JointSample& sample : m_free)
-        rise.push_back({sample.sourceTime_s, pressed_rad(sample.angle_rad),
-                        sample.torque_Nm[kElbow] - m_reference_Nm[kElbow]});
+        if (transition.empty() || sample.sourceTime_s < transition.front().time_s)
+            rise.push_back({sample.sourceTime_s, pressed_rad(sample.angle_rad),
+                            sample.torque_Nm[kElbow] - m_reference_Nm[kElbow]});
     for (std::size_t i = 0; i < transition.size(); ++i)
         rise.push_back({transition[i].time_s, pressed_rad(m_riseAngles_rad[i]), transition[i].torque_Nm});
     return rise;

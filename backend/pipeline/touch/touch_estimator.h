@@ -200,7 +200,7 @@ private:
     TouchEstimatorSettings m_settings;
     std::array<stiffness::ContactDetector, core::JointVector::kCapacity> m_detectors;
     std::vector<core::JointVector> m_riseAngles_rad; ///< of all joints, with the elbow's transition
-    std::deque<core::JointSample> m_free;            ///< before that transition, at most kFreeTime_s
+    std::deque<core::JointSample> m_free;            ///< the last kFreeTime_s, and the transition
 
     std::optional<core::JointSample> m_newest;
     std::optional<SkinContact> m_skin; ///< newest contact; empty while the skin feels nothing

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ enum class Disturbance {
     hertz,             ///< force over depth to the power 1.5; the secant over the window is the truth
     stickSlip,         ///< the joint sticks and slips forward
     backlash,          ///< the operator goes back and forth in a joint with 0.3 mrad of play
+    speedUp,           ///< from rest to 0.03 rad/s, shortly before or during the contact; 0.1 mNm of noise
+    speedUpGravity,    ///< the same with +-1 Nm/rad
 };
 
 struct DisturbanceName {
@@ -45,7 +48,7 @@ struct DisturbanceName {
     std::string_view name;
 };
 
-inline constexpr std::array<DisturbanceName, 22> kDisturbances{{
+inline constexpr std::array<DisturbanceName, 24> kDisturbances{{
     {Disturbance::none, "none"},
     {Disturbance::missingSamples, "30 % of samples missing and jitter"},
     {Disturbance::angleSteps, "angle steps 0.1 mrad"},
@@ -68,6 +71,8 @@ inline constexpr std::array<DisturbanceName, 22> kDisturbances{{
     {Disturbance::hertz, "Hertz, secant as truth"},
     {Disturbance::stickSlip, "stick-slip"},
     {Disturbance::backlash, "backlash 0.3 mrad"},
+    {Disturbance::speedUp, "speed-up to 0.03 rad/s before the contact"},
+    {Disturbance::speedUpGravity, "speed-up, residual gravity 1 Nm/rad"},
 }};
 
 /// A log, what is told about it, and the truth.
@@ -92,13 +97,14 @@ inline DisturbedTouch disturbedTouch(Disturbance kind, std::uint64_t seed) {
     };
     constexpr double kLink_NPerM = 3468.6;
     constexpr double kDistance_m = 0.17;
-    constexpr double kNoise_Nm = 0.0005;
     constexpr double kStep_s = 0.001;
     constexpr int kParts = 20;
 
     DisturbedTouch touch;
     touch.told_contactDistance_m = kDistance_m;
     touch.told_link_NPerM = kLink_NPerM;
+    const bool speedsUp = kind == Disturbance::speedUp || kind == Disturbance::speedUpGravity;
+    const double noise_Nm = speedsUp ? 0.0001 : 0.0005;
     double object_NPerM = 150.0 * std::pow(20.0, between(0.0, 1.0));
     touch.truth_NPerM = object_NPerM;
 
@@ -137,6 +143,10 @@ inline DisturbedTouch disturbedTouch(Disturbance kind, std::uint64_t seed) {
         relaxation_s = 0.1;
         hold_s = kind == Disturbance::standardSolidHeld ? 0.6 : 0.0;
         break;
+    case Disturbance::speedUp:
+    case Disturbance::speedUpGravity:
+        speed_radPerS = 0.03;
+        break;
     default:
         break;
     }
@@ -148,7 +158,8 @@ inline DisturbedTouch disturbedTouch(Disturbance kind, std::uint64_t seed) {
         offset_Nm = 0.010;
     const double sign = random() % 2 == 0 ? 1.0 : -1.0;
     const double drift_NmPerS = kind == Disturbance::drift ? 0.002 * sign : 0.0;
-    const double gravity_NmPerRad = kind == Disturbance::gravity ? 1.0 * sign : 0.0;
+    const bool hasGravity = kind == Disturbance::gravity || kind == Disturbance::speedUpGravity;
+    const double gravity_NmPerRad = hasGravity ? 1.0 * sign : 0.0;
     double memory_s = 0.0;
     if (kind == Disturbance::correlated20)
         memory_s = 0.020;
@@ -169,7 +180,15 @@ inline DisturbedTouch disturbedTouch(Disturbance kind, std::uint64_t seed) {
     }
 
     const double free_s = between(0.8, 2.0);
-    const double contact_rad = speed_radPerS * free_s;
+    double contact_rad = speed_radPerS * free_s;
+    // Rest, then half a cosine up to the speed; the links' inertia is felt through a damped joint.
+    constexpr double kRest_s = 0.3;
+    constexpr double kSpeedUp_s = 0.2;
+    constexpr double kInertia_kgm2 = 0.012;
+    constexpr double kDamped_s = 0.03;
+    if (speedsUp)
+        contact_rad = speed_radPerS * between(0.1, 0.25);
+    double inertia_Nm = 0.0;
     double motor_rad = 0.0;
     double depth_m = 0.0;   // of the object
     double maxwell_N = 0.0; // of its viscous branch
@@ -187,7 +206,7 @@ inline DisturbedTouch disturbedTouch(Disturbance kind, std::uint64_t seed) {
         noise =
             memory_s > 0.0 ? keeps * noise + std::sqrt(1.0 - keeps * keeps) * normal(random) : normal(random);
         double torque_Nm = force_N * distance_m + offset_Nm + drift_NmPerS * time_s +
-                           gravity_NmPerRad * motor_rad + kNoise_Nm * noise;
+                           gravity_NmPerRad * motor_rad + inertia_Nm + noise_Nm * noise;
         double angle_rad = motor_rad;
         if (kind == Disturbance::angleSteps)
             angle_rad = 1e-4 * std::round(angle_rad / 1e-4);
@@ -208,7 +227,16 @@ inline DisturbedTouch disturbedTouch(Disturbance kind, std::uint64_t seed) {
             break;
         // The motion until the next one.
         for (int part = 0; part < kParts; ++part) {
-            const double rate_radPerS = holding ? 0.0 : direction * speed_radPerS;
+            double rate_radPerS = holding ? 0.0 : direction * speed_radPerS;
+            if (speedsUp) {
+                const double phase =
+                    std::clamp((time_s + part * substep_s - kRest_s) / kSpeedUp_s, 0.0, 1.0) *
+                    std::numbers::pi;
+                rate_radPerS *= 0.5 - 0.5 * std::cos(phase);
+                const double acceleration_radPerS2 =
+                    0.5 * speed_radPerS * std::numbers::pi / kSpeedUp_s * std::sin(phase);
+                inertia_Nm += (kInertia_kgm2 * acceleration_radPerS2 - inertia_Nm) * substep_s / kDamped_s;
+            }
             if (kind == Disturbance::backlash) {
                 // Goes back by 0.6 mrad, three times on the way.
                 constexpr std::array<double, 3> kTurnAt_Nm{0.025, 0.033, 0.042};
