@@ -15,7 +15,6 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr double kGap = 0.14;
 constexpr double kSensorOutline_px = 1.5;
 constexpr double kRing_px = 1.0;
 constexpr double kTubeOpacity = 0.22;
@@ -40,6 +39,7 @@ SensorSize SensorSize::of(const core::ArrayLayout& layout, const DrawnGrid& grid
 }
 
 SensorPart::SensorPart() {
+    m_taxels.borderOn(*m_taxelActor.actor);
     m_tube.actor->GetProperty()->SetOpacity(kTubeOpacity);
     setVisible(false);
 }
@@ -91,7 +91,7 @@ void SensorPart::rebuild(const core::ArrayLayout& layout, const SurfaceMap& map,
     m_colour.assign(m_grid.cells(), 0);
     m_deadCells.reserve(m_grid.cells());
     m_crossedCells.clear();
-    m_taxels.rebuild(m_grid, map, kGap);
+    m_taxels.rebuild(m_grid, map);
     rebuildSlab();
     rebuildCylinder();
     update(std::vector<float>(m_share));
