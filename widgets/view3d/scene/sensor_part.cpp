@@ -183,8 +183,10 @@ void SensorPart::rebuildCylinder() {
         }
         const int rings = static_cast<int>(std::floor(half_m / kRingSpacing_m));
         std::vector<double> places = {-half_m, half_m};
+        // Not below the array: they would lie over its cells like a second grid.
         for (int ring = -rings; ring <= rings; ++ring)
-            places.push_back(ring * kRingSpacing_m);
+            if (std::abs(ring * kRingSpacing_m) > m_size.halfX_m)
+                places.push_back(ring * kRingSpacing_m);
         std::array<Eigen::Vector3d, kStrips> circle;
         for (const double x : places) {
             for (int i = 0; i < kStrips; ++i)
