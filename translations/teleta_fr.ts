@@ -3125,132 +3125,148 @@ Exemples&#xa0;:
 <context>
     <name>Demo</name>
     <message>
-        <source>Demo: an arm touches five materials</source>
-        <translation>Démo&#xa0;: un bras touche cinq matériaux</translation>
+        <source>An arm touches five materials</source>
+        <translation>Un bras touche cinq matériaux</translation>
     </message>
     <message>
         <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
         <translation>Éponge, caoutchouc mousse, caoutchouc, bois et métal&#xa0;: point de contact, force, raideur, bracelet</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a round object</source>
-        <translation>Démo&#xa0;: un bras explore un objet rond</translation>
+        <source>An arm explores a round object</source>
+        <translation>Un bras explore un objet rond</translation>
     </message>
     <message>
         <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
         <translation>L’avant-bras le touche de tous côtés&#xa0;: points de contact, spline, forme reconnue</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a rectangular object</source>
-        <translation>Démo&#xa0;: un bras explore un objet rectangulaire</translation>
+        <source>An arm explores a rectangular object</source>
+        <translation>Un bras explore un objet rectangulaire</translation>
     </message>
     <message>
         <source>The same with a box</source>
         <translation>La même chose avec une boîte</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a triangular object</source>
-        <translation>Démo&#xa0;: un bras explore un objet triangulaire</translation>
+        <source>An arm explores a triangular object</source>
+        <translation>Un bras explore un objet triangulaire</translation>
     </message>
     <message>
         <source>The same with a triangular prism</source>
         <translation>La même chose avec un prisme triangulaire</translation>
     </message>
     <message>
-        <source>Demo: an arm yields</source>
-        <translation>Démo&#xa0;: un bras cède</translation>
+        <source>An arm yields</source>
+        <translation>Un bras cède</translation>
     </message>
     <message>
         <source>Somebody pushes the arm, then it meets an object, under joint admittance control</source>
         <translation>Quelqu’un pousse le bras, puis celui-ci rencontre un objet, sous commande en admittance articulaire</translation>
     </message>
     <message>
-        <source>Demo: a ball and a bar</source>
-        <translation>Démo&#xa0;: une bille et une barre</translation>
+        <source>A ball and a bar</source>
+        <translation>Une bille et une barre</translation>
     </message>
     <message>
         <source>A 6 x 14 array pressed by a ball that wanders, then by a bar that turns</source>
         <translation>Une matrice 6 x 14 pressée par une bille qui se déplace, puis par une barre qui tourne</translation>
     </message>
     <message>
-        <source>Demo: two contacts that meet</source>
-        <translation>Démo&#xa0;: deux contacts qui se rejoignent</translation>
+        <source>Two contacts that meet</source>
+        <translation>Deux contacts qui se rejoignent</translation>
     </message>
     <message>
         <source>Two balls that approach each other until they touch, and part</source>
         <translation>Deux billes qui se rapprochent jusqu’à se toucher, puis se séparent</translation>
     </message>
     <message>
-        <source>Demo: a pressure mat</source>
-        <translation>Démo&#xa0;: un tapis de pression</translation>
+        <source>A pressure mat</source>
+        <translation>Un tapis de pression</translation>
     </message>
     <message>
         <source>A 64 x 27 mat under a body: a head, a trunk that turns, two heels</source>
         <translation>Un tapis 64 x 27 sous un corps&#xa0;: une tête, un tronc qui se tourne, deux talons</translation>
     </message>
     <message>
-        <source>Demo: something pokes a soft arm</source>
-        <translation>Démo&#xa0;: quelque chose pique un bras souple</translation>
+        <source>Something pokes a soft arm</source>
+        <translation>Quelque chose pique un bras souple</translation>
     </message>
     <message>
         <source>A camera inside the soft tube sees the bump; the arm draws back</source>
         <translation>Une caméra dans le tube souple voit le choc&#xa0;; le bras se retire</translation>
     </message>
     <message>
-        <source>Demo: a finger turns a soft arm</source>
-        <translation>Démo&#xa0;: un doigt fait tourner un bras souple</translation>
+        <source>A finger turns a soft arm</source>
+        <translation>Un doigt fait tourner un bras souple</translation>
     </message>
     <message>
         <source>The arm turns after a finger that goes round it</source>
         <translation>Le bras tourne à la suite d’un doigt qui en fait le tour</translation>
     </message>
     <message>
-        <source>Demo: a finger leads a soft arm</source>
-        <translation>Démo&#xa0;: un doigt guide un bras souple</translation>
+        <source>A finger leads a soft arm</source>
+        <translation>Un doigt guide un bras souple</translation>
     </message>
     <message>
         <source>The arm follows a finger along its axis</source>
         <translation>Le bras suit un doigt le long de son axe</translation>
     </message>
     <message>
-        <source>Demo: three fingers on a soft arm</source>
-        <translation>Démo&#xa0;: trois doigts sur un bras souple</translation>
+        <source>Three fingers on a soft arm</source>
+        <translation>Trois doigts sur un bras souple</translation>
     </message>
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
         <translation>Contacts près de l’objectif, au milieu et à l’extrémité du tube</translation>
     </message>
     <message>
-        <source>Demo: an array follows a bent bar</source>
-        <translation>Démo&#xa0;: une matrice suit une barre courbe</translation>
+        <source>An array follows a bent bar</source>
+        <translation>Une matrice suit une barre courbe</translation>
     </message>
     <message>
         <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
         <translation>Elle s’approche, s’aligne sur la barre et glisse le long de sa courbure à 5 N</translation>
     </message>
     <message>
-        <source>Demo: a tray is kept level</source>
-        <translation>Démo&#xa0;: un plateau est tenu horizontal</translation>
+        <source>A tray is kept level</source>
+        <translation>Un plateau est tenu horizontal</translation>
     </message>
     <message>
         <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
         <translation>Un poids se déplace sur le plateau&#xa0;; la main en ressent le moment et s’incline en sens contraire</translation>
     </message>
     <message>
-        <source>Demo: an array rolls on a ball</source>
-        <translation>Démo&#xa0;: une matrice roule sur une bille</translation>
+        <source>An array rolls on a ball</source>
+        <translation>Une matrice roule sur une bille</translation>
     </message>
     <message>
         <source>The contact wanders over the array while the force stays at 4 N</source>
         <translation>Le contact se promène sur la matrice tandis que la force reste à 4 N</translation>
     </message>
     <message>
-        <source>Demo: an arm among unknown objects</source>
-        <translation>Démo&#xa0;: un bras parmi des objets inconnus</translation>
+        <source>An arm among unknown objects</source>
+        <translation>Un bras parmi des objets inconnus</translation>
     </message>
     <message>
         <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
         <translation>Conduisez-le vous-même par une liaison lente, ou regardez l’opérateur programmé&#xa0;: chaque objet trouvé est inscrit au relevé</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Matrice</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>Asservissement</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
     </message>
 </context>
 <context>
@@ -23511,6 +23527,21 @@ Toutes les autres vues fonctionnent sans elle.</translation>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>Cet affichage n’offre pas OpenGL %1.%2 ou plus récent.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>&amp;Agrandir</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>&amp;Détacher</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
     </message>
 </context>
 </TS>

@@ -3120,132 +3120,148 @@ Examples:
 <context>
     <name>Demo</name>
     <message>
-        <source>Demo: an arm touches five materials</source>
-        <translation>デモ: アームが5種類の材料に触れる</translation>
+        <source>An arm touches five materials</source>
+        <translation>アームが5種類の材料に触れる</translation>
     </message>
     <message>
         <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
         <translation>スポンジ、ゴムスポンジ、ゴム、木、金属: 接触点、力、剛性、ブレスレット</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a round object</source>
-        <translation>デモ: アームが丸い物体を探索する</translation>
+        <source>An arm explores a round object</source>
+        <translation>アームが丸い物体を探索する</translation>
     </message>
     <message>
         <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
         <translation>前腕が周囲全体から触れる: 接触点、スプライン、認識された形状</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a rectangular object</source>
-        <translation>デモ: アームが長方形の物体を探索する</translation>
+        <source>An arm explores a rectangular object</source>
+        <translation>アームが長方形の物体を探索する</translation>
     </message>
     <message>
         <source>The same with a box</source>
         <translation>同じことを箱で行う</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a triangular object</source>
-        <translation>デモ: アームが三角形の物体を探索する</translation>
+        <source>An arm explores a triangular object</source>
+        <translation>アームが三角形の物体を探索する</translation>
     </message>
     <message>
         <source>The same with a triangular prism</source>
         <translation>同じことを三角柱で行う</translation>
     </message>
     <message>
-        <source>Demo: an arm yields</source>
-        <translation>デモ: アームが外力に従う</translation>
+        <source>An arm yields</source>
+        <translation>アームが外力に従う</translation>
     </message>
     <message>
         <source>Somebody pushes the arm, then it meets an object, under joint admittance control</source>
         <translation>関節アドミタンス制御で、人がアームを押し、その後アームが物体に当たる</translation>
     </message>
     <message>
-        <source>Demo: a ball and a bar</source>
-        <translation>デモ: 球と棒</translation>
+        <source>A ball and a bar</source>
+        <translation>球と棒</translation>
     </message>
     <message>
         <source>A 6 x 14 array pressed by a ball that wanders, then by a bar that turns</source>
         <translation>6 x 14のアレイを、動き回る球、次に回転する棒が押す</translation>
     </message>
     <message>
-        <source>Demo: two contacts that meet</source>
-        <translation>デモ: 出会う2つの接触</translation>
+        <source>Two contacts that meet</source>
+        <translation>出会う2つの接触</translation>
     </message>
     <message>
         <source>Two balls that approach each other until they touch, and part</source>
         <translation>2つの球が近づいて触れ合い、離れる</translation>
     </message>
     <message>
-        <source>Demo: a pressure mat</source>
-        <translation>デモ: 圧力マット</translation>
+        <source>A pressure mat</source>
+        <translation>圧力マット</translation>
     </message>
     <message>
         <source>A 64 x 27 mat under a body: a head, a trunk that turns, two heels</source>
         <translation>人体の下の64 x 27マット: 頭、向きを変える体幹、両かかと</translation>
     </message>
     <message>
-        <source>Demo: something pokes a soft arm</source>
-        <translation>デモ: ソフトアームがつつかれる</translation>
+        <source>Something pokes a soft arm</source>
+        <translation>ソフトアームがつつかれる</translation>
     </message>
     <message>
         <source>A camera inside the soft tube sees the bump; the arm draws back</source>
         <translation>ソフトチューブ内のカメラが衝突を捉え、アームが退避する</translation>
     </message>
     <message>
-        <source>Demo: a finger turns a soft arm</source>
-        <translation>デモ: 指がソフトアームを回す</translation>
+        <source>A finger turns a soft arm</source>
+        <translation>指がソフトアームを回す</translation>
     </message>
     <message>
         <source>The arm turns after a finger that goes round it</source>
         <translation>周囲を回る指を追ってアームが回転する</translation>
     </message>
     <message>
-        <source>Demo: a finger leads a soft arm</source>
-        <translation>デモ: 指がソフトアームを導く</translation>
+        <source>A finger leads a soft arm</source>
+        <translation>指がソフトアームを導く</translation>
     </message>
     <message>
         <source>The arm follows a finger along its axis</source>
         <translation>アームが軸方向に指に追従する</translation>
     </message>
     <message>
-        <source>Demo: three fingers on a soft arm</source>
-        <translation>デモ: ソフトアームに3本の指</translation>
+        <source>Three fingers on a soft arm</source>
+        <translation>ソフトアームに3本の指</translation>
     </message>
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
         <translation>レンズの近く、中央、チューブの奥端での接触</translation>
     </message>
     <message>
-        <source>Demo: an array follows a bent bar</source>
-        <translation>デモ: アレイが曲がった棒をたどる</translation>
+        <source>An array follows a bent bar</source>
+        <translation>アレイが曲がった棒をたどる</translation>
     </message>
     <message>
         <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
         <translation>アレイが近づき、棒に向きを合わせ、曲がりに沿って5 Nで滑る</translation>
     </message>
     <message>
-        <source>Demo: a tray is kept level</source>
-        <translation>デモ: トレイを水平に保つ</translation>
+        <source>A tray is kept level</source>
+        <translation>トレイを水平に保つ</translation>
     </message>
     <message>
         <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
         <translation>トレイの上でおもりが動き、手がそのモーメントを感じて逆向きに傾く</translation>
     </message>
     <message>
-        <source>Demo: an array rolls on a ball</source>
-        <translation>デモ: アレイが球の上を転がる</translation>
+        <source>An array rolls on a ball</source>
+        <translation>アレイが球の上を転がる</translation>
     </message>
     <message>
         <source>The contact wanders over the array while the force stays at 4 N</source>
         <translation>力を4 Nに保ったまま、接触がアレイ上を動き回る</translation>
     </message>
     <message>
-        <source>Demo: an arm among unknown objects</source>
-        <translation>デモ: 未知の物体の中のアーム</translation>
+        <source>An arm among unknown objects</source>
+        <translation>未知の物体の中のアーム</translation>
     </message>
     <message>
         <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
         <translation>遅い回線越しに自分で操縦するか、スクリプトによる操作者の動きを見ます。見つかった物体はそれぞれ探索シートに載ります</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>アーム</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>アレイ</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>サーボ</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
     </message>
 </context>
 <context>
@@ -23448,6 +23464,21 @@ All other views work without it.</source>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>このディスプレイはOpenGL %1.%2以降に対応していません。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>最大化(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>切り離す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>閉じる(&amp;C)</translation>
     </message>
 </context>
 </TS>

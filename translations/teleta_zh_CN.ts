@@ -3120,132 +3120,148 @@ Examples:
 <context>
     <name>Demo</name>
     <message>
-        <source>Demo: an arm touches five materials</source>
-        <translation>演示：机械臂触碰五种材料</translation>
+        <source>An arm touches five materials</source>
+        <translation>机械臂触碰五种材料</translation>
     </message>
     <message>
         <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
         <translation>海绵、橡胶海绵、橡胶、木材和金属：接触点、力、刚度、手环</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a round object</source>
-        <translation>演示：机械臂探索圆形物体</translation>
+        <source>An arm explores a round object</source>
+        <translation>机械臂探索圆形物体</translation>
     </message>
     <message>
         <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
         <translation>前臂从四周触碰物体：接触点、样条曲线、识别的形状</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a rectangular object</source>
-        <translation>演示：机械臂探索矩形物体</translation>
+        <source>An arm explores a rectangular object</source>
+        <translation>机械臂探索矩形物体</translation>
     </message>
     <message>
         <source>The same with a box</source>
         <translation>同上，对象为盒子</translation>
     </message>
     <message>
-        <source>Demo: an arm explores a triangular object</source>
-        <translation>演示：机械臂探索三角形物体</translation>
+        <source>An arm explores a triangular object</source>
+        <translation>机械臂探索三角形物体</translation>
     </message>
     <message>
         <source>The same with a triangular prism</source>
         <translation>同上，对象为三棱柱</translation>
     </message>
     <message>
-        <source>Demo: an arm yields</source>
-        <translation>演示：机械臂顺应</translation>
+        <source>An arm yields</source>
+        <translation>机械臂顺应</translation>
     </message>
     <message>
         <source>Somebody pushes the arm, then it meets an object, under joint admittance control</source>
         <translation>有人推动机械臂，随后它碰到物体，采用关节导纳控制</translation>
     </message>
     <message>
-        <source>Demo: a ball and a bar</source>
-        <translation>演示：小球与杆</translation>
+        <source>A ball and a bar</source>
+        <translation>小球与杆</translation>
     </message>
     <message>
         <source>A 6 x 14 array pressed by a ball that wanders, then by a bar that turns</source>
         <translation>6 x 14 阵列先由移动的小球按压，再由转动的杆按压</translation>
     </message>
     <message>
-        <source>Demo: two contacts that meet</source>
-        <translation>演示：两个相遇的接触</translation>
+        <source>Two contacts that meet</source>
+        <translation>两个相遇的接触</translation>
     </message>
     <message>
         <source>Two balls that approach each other until they touch, and part</source>
         <translation>两个小球相互靠近直至接触，然后分开</translation>
     </message>
     <message>
-        <source>Demo: a pressure mat</source>
-        <translation>演示：压力垫</translation>
+        <source>A pressure mat</source>
+        <translation>压力垫</translation>
     </message>
     <message>
         <source>A 64 x 27 mat under a body: a head, a trunk that turns, two heels</source>
         <translation>人体下的 64 x 27 压力垫：头部、转动的躯干、两个脚跟</translation>
     </message>
     <message>
-        <source>Demo: something pokes a soft arm</source>
-        <translation>演示：有物体戳软体臂</translation>
+        <source>Something pokes a soft arm</source>
+        <translation>有物体戳软体臂</translation>
     </message>
     <message>
         <source>A camera inside the soft tube sees the bump; the arm draws back</source>
         <translation>软管内的相机看到碰撞；机械臂退缩</translation>
     </message>
     <message>
-        <source>Demo: a finger turns a soft arm</source>
-        <translation>演示：手指转动软体臂</translation>
+        <source>A finger turns a soft arm</source>
+        <translation>手指转动软体臂</translation>
     </message>
     <message>
         <source>The arm turns after a finger that goes round it</source>
         <translation>机械臂随绕其转动的手指转动</translation>
     </message>
     <message>
-        <source>Demo: a finger leads a soft arm</source>
-        <translation>演示：手指引导软体臂</translation>
+        <source>A finger leads a soft arm</source>
+        <translation>手指引导软体臂</translation>
     </message>
     <message>
         <source>The arm follows a finger along its axis</source>
         <translation>机械臂沿其轴线跟随手指</translation>
     </message>
     <message>
-        <source>Demo: three fingers on a soft arm</source>
-        <translation>演示：三根手指按在软体臂上</translation>
+        <source>Three fingers on a soft arm</source>
+        <translation>三根手指按在软体臂上</translation>
     </message>
     <message>
         <source>Contacts near the lens, in the middle and at the far end of the tube</source>
         <translation>接触位于镜头附近、管的中部和远端</translation>
     </message>
     <message>
-        <source>Demo: an array follows a bent bar</source>
-        <translation>演示：阵列跟随弯曲的杆</translation>
+        <source>An array follows a bent bar</source>
+        <translation>阵列跟随弯曲的杆</translation>
     </message>
     <message>
         <source>It closes in, aligns with the bar, and slides along its bend at 5 N</source>
         <translation>阵列靠近并与杆对齐，以 5 N 的力沿其弯曲处滑动</translation>
     </message>
     <message>
-        <source>Demo: a tray is kept level</source>
-        <translation>演示：保持托盘水平</translation>
+        <source>A tray is kept level</source>
+        <translation>保持托盘水平</translation>
     </message>
     <message>
         <source>A weight moves on the tray; the hand feels its moment and tilts against it</source>
         <translation>重物在托盘上移动；手感受到其力矩并反向倾斜</translation>
     </message>
     <message>
-        <source>Demo: an array rolls on a ball</source>
-        <translation>演示：阵列在小球上滚动</translation>
+        <source>An array rolls on a ball</source>
+        <translation>阵列在小球上滚动</translation>
     </message>
     <message>
         <source>The contact wanders over the array while the force stays at 4 N</source>
         <translation>接触在阵列上移动，而力保持为 4 N</translation>
     </message>
     <message>
-        <source>Demo: an arm among unknown objects</source>
-        <translation>演示：未知物体之间的机械臂</translation>
+        <source>An arm among unknown objects</source>
+        <translation>未知物体之间的机械臂</translation>
     </message>
     <message>
         <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
         <translation>通过慢速链路亲自操纵，或观看脚本操作者：发现的每个物体都列入物体清单</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>阵列</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>伺服</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
     </message>
 </context>
 <context>
@@ -23448,6 +23464,21 @@ All other views work without it.</source>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>此显示器不提供 OpenGL %1.%2 或更新版本。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>最大化(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>浮动(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
     </message>
 </context>
 </TS>

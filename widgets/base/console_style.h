@@ -5,8 +5,9 @@
 
 namespace teleta::base {
 
-/// Fusion with check boxes and radio buttons whose edges are visible on dark backgrounds too: plain Fusion
-/// draws them darker than the background. Thread: GUI.
+/// Flat controls over Fusion, whose sizes and behaviour they keep: one edge, one radius, the accent for what
+/// can be acted on. The default button of a view is filled, other buttons are outlined, tool buttons show
+/// themselves under the mouse. Colours come from the tokens and the palette of the control. Thread: GUI.
 class ConsoleStyle : public QProxyStyle {
     Q_OBJECT
 
@@ -15,6 +16,16 @@ public:
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget = nullptr) const override;
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget = nullptr) const override;
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget = nullptr) const override;
+    [[nodiscard]] QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option,
+                                       SubControl part, const QWidget* widget = nullptr) const override;
+    [[nodiscard]] QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                                         const QWidget* widget = nullptr) const override;
+    [[nodiscard]] int pixelMetric(PixelMetric metric, const QStyleOption* option = nullptr,
+                                  const QWidget* widget = nullptr) const override;
 };
 
 } // namespace teleta::base

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/tokens.h"
+
 #include <QColor>
 #include <QFont>
 #include <QPalette>
@@ -19,33 +21,14 @@ enum class ThemeChoice {
 /// Sets the Fusion style and the designed palette for the whole application. Thread: GUI.
 void applyTheme(ThemeChoice choice);
 
-/// The light and the dark palette. Views take every colour from here or from a data map.
-[[nodiscard]] QPalette designedPalette(bool dark);
 /// Whether text on this palette is lighter than its background.
 [[nodiscard]] bool isDark(const QPalette& palette);
-
-/// Colours with a meaning. Each has a contrast of at least 4.5:1 on Window and on Base, so it can be used for
-/// text. Colour is never the only sign of a state: a word and a shape go with it.
-struct StatusColours {
-    QColor live;
-    QColor stale;
-    QColor lost;
-    QColor simulated; ///< violet: the data are not real
-    QColor neutral;   ///< paused, closed, connecting
-    QColor stop;      ///< background of STOP, under white text
-};
-[[nodiscard]] const StatusColours& statusColours(const QPalette& palette);
 
 /// A length in px; 1 em is the line height of the widget's font, 16 px with a 10 pt font at scale 1.
 [[nodiscard]] int em(const QWidget* widget, double count);
 /// The layout grid: half an em, 8 px at scale 1.
 [[nodiscard]] int grid(const QWidget* widget, double count = 1.0);
 
-/// The four sizes of text, in em of the system font.
-inline constexpr double kSmallText = 0.85;
-inline constexpr double kNormalText = 1.0;
-inline constexpr double kLargeText = 1.4;
-inline constexpr double kHugeText = 2.2;
 [[nodiscard]] QFont sized(const QFont& font, double factor);
 [[nodiscard]] QFont bold(QFont font);
 

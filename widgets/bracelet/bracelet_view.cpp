@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/bracelet/bracelet_view.h"
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/on_change.h"
@@ -130,6 +131,7 @@ QString BraceletView::shownTitle() const {
 }
 
 void BraceletView::setProvenance(base::Provenance provenance) {
+    base::showProvenance(this, provenance);
     m_provenance = provenance;
     update();
 }

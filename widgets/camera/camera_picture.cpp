@@ -232,8 +232,9 @@ void CameraPicture::paintState(QPainter& painter, const QSizeF& size, const QPal
         base::paintBadge(painter, {QPointF(right - extent.width(), margin), extent}, text, colour);
         right -= extent.width() + margin;
     };
-    if (const QString text = base::provenanceText(provenance); !text.isEmpty())
-        badge(text, colours.simulated);
+    if (const QString text = base::provenanceText(provenance);
+        !text.isEmpty() && !base::paintsScreen(painter))
+        badge(text, base::provenanceColour(provenance, palette));
     if (paused)
         badge(tr("PAUSED"), colours.neutral);
     if (isEmpty())

@@ -18,6 +18,8 @@ public:
 
     explicit CameraView(QWidget* parent = nullptr);
 
+    void setProvenance(base::Provenance provenance);
+
     /// Shows the newest snapshot unless the picture is frozen; null clears.
     void setSnapshot(const pipeline::CameraSnapshot* snapshot);
     void setArrowsShown(bool shown);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/event_table.h"
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QMenu>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -18,7 +18,6 @@ EventTable::EventTable(QWidget* parent)
     : QWidget(parent)
     , m_model(new EventModel(this))
     , m_table(new QTableView(this))
-    , m_provenance(new QLabel(this))
     , m_export(new base::FigureExport(this, [this] { return figure(); })) {
     m_table->setModel(m_model);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -30,13 +29,9 @@ EventTable::EventTable(QWidget* parent)
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->installEventFilter(this);
-    m_provenance->setFont(base::bold(base::sized(font(), base::kSmallText)));
-    m_provenance->setContentsMargins(base::grid(this), 0, 0, 0);
-    m_provenance->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_provenance);
     layout->addWidget(m_table, 1);
     setFocusProxy(m_table);
     connect(m_export, &base::FigureExport::saved, this, &EventTable::exported);
@@ -46,8 +41,7 @@ EventTable::EventTable(QWidget* parent)
 }
 
 void EventTable::setProvenance(base::Provenance provenance) {
-    m_shownProvenance = provenance;
-    retranslate();
+    base::showProvenance(this, provenance);
 }
 
 base::Figure EventTable::figure() const {
@@ -80,9 +74,6 @@ void EventTable::retranslate() {
     m_table->setAccessibleName(tr("Events"));
     m_table->setWhatsThis(
         tr("What happened to the tube, newest first. The context menu copies and saves the list."));
-    m_provenance->setText(base::provenanceText(m_shownProvenance));
-    m_provenance->setVisible(m_shownProvenance != base::Provenance::live);
-    base::setTextColour(m_provenance, base::statusColours(palette()).simulated);
     m_model->retranslate();
 }
 

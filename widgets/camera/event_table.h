@@ -7,7 +7,6 @@
 
 #include <QWidget>
 
-class QLabel;
 class QTableView;
 
 namespace teleta::camera {
@@ -37,8 +36,6 @@ private:
 
     EventModel* m_model;
     QTableView* m_table;
-    QLabel* m_provenance;
-    base::Provenance m_shownProvenance = base::Provenance::live;
     base::FigureExport* m_export;
 };
 

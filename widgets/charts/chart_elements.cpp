@@ -51,7 +51,7 @@ void HeaderElement::setInk(const QFont& font, const QColor& text, const QColor& 
 void HeaderElement::draw(QCPPainter* painter) {
     QRectF area = rect();
     painter->setFont(m_font);
-    if (!m_badge.isEmpty()) {
+    if (!m_badge.isEmpty() && !base::paintsScreen(*painter)) {
         const QSizeF size = base::badgeSize(m_font, m_badge);
         const QRectF box(QPointF(area.right() - size.width(), area.center().y() - 0.5 * size.height()), size);
         base::paintBadge(*painter, box, m_badge, m_badgeColour);

@@ -2,6 +2,7 @@
 #include "widgets/charts/time_chart_view.h"
 
 #include "widgets/base/controls/inline_edit.h"
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
@@ -199,6 +200,7 @@ void TimeChartView::updateHeader() {
 }
 
 void TimeChartView::setProvenance(base::Provenance provenance) {
+    base::showProvenance(this, provenance);
     m_provenance = provenance;
     m_plot->setProvenance(provenance);
     invalidate();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/demo_list.h"
 
-#include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/demo_card.h"
 
-#include <QCommandLinkButton>
+#include <QLabel>
 #include <QResizeEvent>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -14,15 +15,36 @@ namespace teleta::chrome {
 namespace {
 
 constexpr int kMostColumns = 3;
-constexpr double kButton_em = 24.0;
+constexpr double kColumn_em = 21.0;
+
+/// The lowest number of cards in the longest of some columns that hold the groups in their order.
+int lowestHeight(const std::vector<int>& cards, int columns) {
+    const auto columnsFor = [&](int most) {
+        int used = 1;
+        int filled = 0;
+        for (const int count : cards) {
+            if (filled + count > most && filled > 0) {
+                ++used;
+                filled = 0;
+            }
+            filled += count;
+        }
+        return used;
+    };
+    int most = cards.empty() ? 0 : *std::ranges::max_element(cards);
+    while (columnsFor(most) > columns)
+        ++most;
+    return most;
+}
 
 } // namespace
 
 DemoList::DemoList(QWidget* parent)
     : QScrollArea(parent) {
     auto* content = new QWidget(this);
-    content->setLayout(m_grid);
-    m_grid->setContentsMargins(base::grid(this, 2), 0, base::grid(this, 2), 0);
+    content->setLayout(m_row);
+    m_row->setContentsMargins(base::grid(this, base::kGroup), 0, base::grid(this, base::kGroup), 0);
+    m_row->setSpacing(base::grid(this, base::kGroup));
     setWidget(content);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -33,28 +55,43 @@ DemoList::DemoList(QWidget* parent)
 }
 
 void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
-    for (QWidget* button : m_buttons)
-        delete button;
-    m_buttons.clear();
+    for (const Group& group : m_groups)
+        delete group.box;
+    m_groups.clear();
+    QHash<QString, DemoCard*> before;
+    before.swap(m_cards);
+    QString name;
     for (const SourceChooser::Demo& demo : demos) {
-        auto* button = new QCommandLinkButton(demo.title, demo.description, widget());
-        button->setIcon(base::themeIcon(base::Icon::scene));
-        button->setAccessibleName(demo.title);
-        button->setAccessibleDescription(demo.description);
-        connect(button, &QCommandLinkButton::clicked, this,
-                [this, path = demo.path] { emit demoRequested(path); });
-        m_buttons.push_back(button);
+        if (m_groups.empty() || demo.group != name) {
+            name = demo.group;
+            auto* box = new QWidget(widget());
+            auto* column = new QVBoxLayout(box);
+            column->setContentsMargins(0, 0, 0, base::grid(this));
+            column->setSpacing(base::grid(this, 0.75));
+            auto* heading = new QLabel(name, box);
+            heading->setFont(base::bold(base::sized(font(), base::kTitleText)));
+            column->addWidget(heading);
+            m_groups.push_back({box, 0});
+        }
+        Group& group = m_groups.back();
+        auto* card = new DemoCard(base::Icon::scene, demo.title, demo.description, group.box);
+        connect(card, &DemoCard::clicked, this, [this, path = demo.path] { emit demoRequested(path); });
+        group.box->layout()->addWidget(card);
+        ++group.cards;
+        m_cards.insert(demo.path, card);
     }
     m_columns = 0;
     arrange();
     updateGeometry();
 }
 
+void DemoList::setPicture(const QString& path, const QImage& picture) {
+    if (DemoCard* card = m_cards.value(path))
+        card->setPicture(picture);
+}
+
 QSize DemoList::sizeHint() const {
-    const int width = viewport()->width();
-    const int height =
-        m_grid->hasHeightForWidth() ? m_grid->heightForWidth(width) : m_grid->sizeHint().height();
-    return {kMostColumns * base::em(this, kButton_em), height + 2 * frameWidth()};
+    return {kMostColumns * base::em(this, kColumn_em), m_row->sizeHint().height() + 2 * frameWidth()};
 }
 
 void DemoList::resizeEvent(QResizeEvent* event) {
@@ -64,19 +101,34 @@ void DemoList::resizeEvent(QResizeEvent* event) {
 }
 
 void DemoList::arrange() {
-    const int columns = std::clamp(viewport()->width() / base::em(this, kButton_em), 1, kMostColumns);
+    const int columns = std::clamp(viewport()->width() / base::em(this, kColumn_em), 1, kMostColumns);
     if (columns == m_columns)
         return;
     m_columns = columns;
-    for (int column = 0; column < kMostColumns; ++column)
-        m_grid->setColumnStretch(column, column < columns ? 1 : 0);
-    int place = 0;
-    for (QWidget* button : m_buttons) {
-        m_grid->addWidget(button, place / columns, place % columns);
-        ++place;
+    while (QLayoutItem* column = m_row->takeAt(0)) {
+        while (QLayoutItem* item = column->layout()->takeAt(0))
+            delete item;
+        delete column;
     }
-    for (int row = 0; row <= place; ++row)
-        m_grid->setRowStretch(row, row == place ? 1 : 0);
+    std::vector<int> counts;
+    for (const Group& group : m_groups)
+        counts.push_back(group.cards + 1); // with its heading
+    const int most = lowestHeight(counts, columns);
+    QVBoxLayout* column = nullptr;
+    int filled = 0;
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        if (column == nullptr || filled + counts[i] > most) {
+            if (column != nullptr)
+                column->addStretch(1);
+            column = new QVBoxLayout;
+            m_row->addLayout(column, 1);
+            filled = 0;
+        }
+        column->addWidget(m_groups[i].box);
+        filled += counts[i];
+    }
+    if (column != nullptr)
+        column->addStretch(1);
 }
 
 } // namespace teleta::chrome

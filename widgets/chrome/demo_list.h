@@ -3,14 +3,19 @@
 
 #include "widgets/chrome/source_chooser.h"
 
-#include <QGridLayout>
+#include <QHash>
+#include <QHBoxLayout>
+#include <QImage>
 #include <QScrollArea>
 
 #include <vector>
 
 namespace teleta::chrome {
 
-/// Scenes to try the program with, as large buttons in as many columns as fit. Thread: GUI.
+class DemoCard;
+
+/// All demo scenes as cards under the headings of their groups, in as many columns as there is room for; a
+/// group is never torn apart. Scrolls when there is too little of it. Thread: GUI.
 class DemoList : public QScrollArea {
     Q_OBJECT
 
@@ -18,8 +23,9 @@ public:
     explicit DemoList(QWidget* parent = nullptr);
 
     void setDemos(const std::vector<SourceChooser::Demo>& demos);
-    [[nodiscard]] int columns() const { return m_columns; }
-    /// Height of all of them without scrolling, at the present width.
+    /// A picture of what a demo shows; unknown paths are ignored.
+    void setPicture(const QString& path, const QImage& picture);
+
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
@@ -29,10 +35,17 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// A heading and the cards below it.
+    struct Group {
+        QWidget* box = nullptr;
+        int cards = 0;
+    };
+
     void arrange();
 
-    QGridLayout* m_grid = new QGridLayout;
-    std::vector<QWidget*> m_buttons;
+    QHBoxLayout* m_row = new QHBoxLayout;
+    std::vector<Group> m_groups;
+    QHash<QString, DemoCard*> m_cards; ///< by the path of the demo
     int m_columns = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include <QEvent>
 #include <QHelpEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -40,6 +41,11 @@ double fairShare(std::vector<double> widths, double room) {
         room -= widths[i];
     }
     return std::numeric_limits<double>::infinity();
+}
+
+/// The badge's word, in a sentence.
+QString wordOf(base::Provenance provenance) {
+    return QLocale().toLower(base::provenanceText(provenance));
 }
 
 } // namespace
@@ -125,11 +131,15 @@ QString DeviceStrip::cutShort(const Cell& cell, double room_px) const {
                                                          : cutToWidth(rest.trimmed(), room_px, metrics);
 }
 
+QFont DeviceStrip::smallFont() const {
+    return base::sized(font(), base::kSmallText);
+}
+
 double DeviceStrip::besideText(const Cell& cell) const {
-    const QString provenance = base::provenanceText(cell.reading.provenance);
-    const double badge =
-        provenance.isEmpty() ? 0.0 : base::badgeSize(font(), provenance).width() + base::grid(this);
-    return base::grid(this, 4) + badge;
+    const QString word = wordOf(cell.reading.provenance);
+    const double room =
+        word.isEmpty() ? 0.0 : QFontMetricsF(smallFont()).horizontalAdvance(word) + base::grid(this);
+    return base::grid(this, 4) + room;
 }
 
 int DeviceStrip::place(Detail detail) {
@@ -189,12 +199,16 @@ void DeviceStrip::paintEvent(QPaintEvent* /*event*/) {
         base::paintStatusGlyph(painter, {x, box.center().y() - 0.5 * glyph, glyph, glyph}, cell.reading.state,
                                palette());
         x += glyph + base::grid(this);
-        const QString provenance = base::provenanceText(cell.reading.provenance);
-        if (!provenance.isEmpty()) {
-            const QSizeF size = base::badgeSize(font(), provenance);
-            base::paintBadge(painter, {{x, box.center().y() - 0.5 * size.height()}, size}, provenance,
-                             base::statusColours(palette()).simulated);
-            x += size.width() + base::grid(this);
+        if (const QString word = wordOf(cell.reading.provenance); !word.isEmpty()) {
+            const QColor colour = base::provenanceColour(cell.reading.provenance, palette());
+            painter.fillRect(QRectF(box.left(), box.top(), base::grid(this, base::kStripe), box.height()),
+                             colour);
+            painter.setPen(colour);
+            painter.setFont(smallFont());
+            const QRectF place(x, box.top(), painter.fontMetrics().horizontalAdvance(word), box.height());
+            painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, word);
+            painter.setFont(font());
+            x += place.width() + base::grid(this);
         }
         painter.setPen(palette().color(QPalette::WindowText));
         base::drawTabularText(painter, {x, box.top(), box.right() - x, box.height()},

@@ -72,6 +72,7 @@ private:
     [[nodiscard]] QString compose(const Cell& cell, Detail detail, const QString& name) const;
     /// The device's problem, after as much of its name as fits.
     [[nodiscard]] QString cutShort(const Cell& cell, double room_px) const;
+    [[nodiscard]] QFont smallFont() const;
     /// Width of a cell without its text.
     [[nodiscard]] double besideText(const Cell& cell) const;
     /// Sets the level of detail of every cell; returns the total width.

@@ -50,6 +50,8 @@ void EmptyState::setAction(const char* name, const QString& text, const QString&
     Q_ASSERT(button != nullptr);
     button->setText(text);
     button->setToolTip(toolTip);
+    button->setMinimumWidth(0);
+    button->setMinimumWidth(button->sizeHint().width() + base::grid(this, base::kGroup));
 }
 
 void EmptyState::setMore(QWidget* more) {

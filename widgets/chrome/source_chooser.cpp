@@ -26,7 +26,7 @@ SourceChooser::SourceChooser(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(base::grid(this, 0.5));
-    base::addWidgets(layout, {m_box, m_close, m_open});
+    base::addWidgets(layout, {m_box, m_badge, m_close, m_open});
 
     connect(m_box, &QComboBox::activated, this,
             [this] { emit sourceChosen(m_box->currentData().toULongLong()); });
@@ -45,23 +45,29 @@ void SourceChooser::setSources(const std::vector<Source>& sources, std::uint64_t
     m_sources = sources;
     const QSignalBlocker blocked(m_box);
     m_box->clear();
+    base::Provenance shown = base::Provenance::live;
     for (const Source& source : sources) {
         const QString provenance = base::provenanceText(source.provenance);
         QString text = source.name;
         if (source.opening)
             text = tr("%1 (opening\u2026)", "a source").arg(text);
-        else if (!provenance.isEmpty())
-            text = tr("%1 \u2014 %2", "a source and whether its data are simulated or recorded")
-                       .arg(text, provenance);
         m_box->addItem(base::themeIcon(source.provenance == base::Provenance::simulated ? base::Icon::scene
                                        : source.provenance == base::Provenance::recorded ||
                                                source.provenance == base::Provenance::recordedSimulation
                                            ? base::Icon::recording
                                            : base::Icon::sensor),
                        text, QVariant::fromValue<qulonglong>(source.key));
-        if (source.key == active)
+        if (!provenance.isEmpty()) // in the list; the badge stands beside the one that is shown
+            m_box->setItemData(m_box->count() - 1,
+                               tr("%1 \u2014 %2", "a source and whether its data are simulated or recorded")
+                                   .arg(source.name, provenance),
+                               Qt::AccessibleTextRole);
+        if (source.key == active) {
             m_box->setCurrentIndex(m_box->count() - 1);
+            shown = source.provenance;
+        }
     }
+    m_badge->setProvenance(shown);
     m_box->setEnabled(!sources.empty());
     m_close->setEnabled(!sources.empty());
     if (sources.empty())
@@ -80,7 +86,10 @@ void SourceChooser::setRecent(const QStringList& paths) {
 
 void SourceChooser::rebuildMenu() {
     m_menu->clear();
+    QString group;
     for (const Demo& demo : m_demos) {
+        if (demo.group != group)
+            m_menu->addSection(group = demo.group);
         QAction* action = m_menu->addAction(base::themeIcon(base::Icon::scene), demo.title);
         action->setToolTip(demo.description);
         connect(action, &QAction::triggered, this, [this, path = demo.path] { emit demoRequested(path); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/controls/badge.h"
+#include "widgets/base/controls/provenance_stripe.h"
 
 #include <QComboBox>
 #include <QMenu>
@@ -29,6 +29,7 @@ public:
         QString path;
         QString title;
         QString description;
+        QString group; ///< heading; demos of a group follow each other
     };
 
     explicit SourceChooser(QWidget* parent = nullptr);
@@ -56,6 +57,7 @@ private:
     void retranslate();
 
     QComboBox* m_box = new QComboBox(this);
+    base::ProvenanceBadge* m_badge = new base::ProvenanceBadge(this);
     QToolButton* m_open = new QToolButton(this);
     QToolButton* m_close = new QToolButton(this);
     QMenu* m_menu = new QMenu(this);

@@ -7,12 +7,14 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/pattern/document/pattern_names.h"
+#include "widgets/pattern/pattern_picture.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
+#include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -31,6 +33,9 @@ QString lengthText(double duration_s) {
                           QStringLiteral("s"));
 }
 
+constexpr double kPictureWidth_em = 3.5;
+constexpr double kPictureHeight_em = 1.6;
+
 } // namespace
 
 PatternLibrary::PatternLibrary(QWidget* parent)
@@ -39,6 +44,7 @@ PatternLibrary::PatternLibrary(QWidget* parent)
     m_tree->setColumnCount(2);
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);
+    m_tree->setIconSize(QSize(base::em(this, kPictureWidth_em), base::em(this, kPictureHeight_em)));
     m_tree->setIndentation(base::em(this, 0.9));
     m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_tree->header()->setStretchLastSection(false);
@@ -140,6 +146,8 @@ void PatternLibrary::fill() {
         auto* item = new QTreeWidgetItem(m_tree, {name});
         item->setFont(0, base::bold(m_tree->font()));
         item->setFlags(Qt::ItemIsEnabled);
+        // All rows are as high as the first one.
+        item->setSizeHint(0, QSize(0, m_tree->iconSize().height() + base::grid(this, base::kTight)));
         item->setExpanded(true);
         return item;
     };
@@ -153,6 +161,7 @@ void PatternLibrary::fill() {
                       QStringLiteral("%1 %2 %3")
                           .arg(displayName(pattern), QString::fromStdString(pattern.name),
                                QString::fromStdString(pattern.id)));
+        item->setIcon(0, pictureOf(pattern, m_current == QString::fromStdString(pattern.id)));
         item->setForeground(1, palette().color(QPalette::PlaceholderText));
         item->setToolTip(0, QString::fromStdString(pattern.id));
     }
@@ -170,8 +179,6 @@ void PatternLibrary::fill() {
             wanted = *at;
         if (key == m_current) {
             (*at)->setFont(0, base::bold(m_tree->font()));
-            if ((*at)->icon(0).isNull()) // a damaged one already has a sign
-                (*at)->setIcon(0, base::themeIcon(base::Icon::patterns));
             (*at)->setToolTip(1, tr("Open in the editor"));
             (*at)->setData(0, Qt::AccessibleDescriptionRole, tr("Open in the editor"));
         }
@@ -198,7 +205,10 @@ void PatternLibrary::addOwn(QTreeWidgetItem* group, const OwnPattern& own) {
         item->setText(1, tr("damaged"));
         item->setForeground(1, base::statusColours(palette()).lost);
         lines << own.problem;
-    } else if (own.renamable) {
+    } else if (own.pattern != nullptr) {
+        item->setIcon(0, pictureOf(*own.pattern, m_current == own.path));
+    }
+    if (own.problem.isEmpty() && own.renamable) {
         item->setFlags(item->flags() | Qt::ItemIsEditable);
     }
     if (!own.tags.isEmpty())
@@ -208,6 +218,26 @@ void PatternLibrary::addOwn(QTreeWidgetItem* group, const OwnPattern& own) {
     lines << own.path;
     for (int column = 0; column < 2; ++column)
         item->setToolTip(column, lines.join(QLatin1Char('\n')));
+}
+
+QIcon PatternLibrary::pictureOf(const Pattern& pattern, bool isOpen) const {
+    const QSize size = m_tree->iconSize();
+    const double scale = devicePixelRatioF();
+    QPixmap picture(QSizeF(QSizeF(size) * scale).toSize());
+    picture.setDevicePixelRatio(scale);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    const int bar = base::grid(this, base::kStripe);
+    const QSize room(size.width() - 2 * bar, size.height() - bar);
+    painter.drawImage(QRectF(QPointF(2.0 * bar, 0.5 * bar), QSizeF(room)),
+                      patternPicture(pattern, QSizeF(QSizeF(room) * scale).toSize(), palette()));
+    if (isOpen)
+        painter.fillRect(QRectF(0.0, 0.5 * bar, bar, room.height()), palette().color(QPalette::Link));
+    painter.end();
+    QIcon icon;
+    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) // not tinted in a selected row
+        icon.addPixmap(picture, mode);
+    return icon;
 }
 
 void PatternLibrary::applyFilter() {

@@ -4,6 +4,7 @@
 #include "backend/pattern/model/pattern.h"
 #include "widgets/base/compose.h"
 
+#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include <memory>
 #include <vector>
 
 class QTreeWidgetItem;
@@ -27,6 +29,7 @@ struct OwnPattern {
     QString notes;
     QString problem; ///< why the file cannot be read; empty if it can
     bool renamable = true;
+    std::shared_ptr<const Pattern> pattern{}; ///< for its picture; null if it cannot be read
 };
 
 /// List of the built-in patterns by task and of the user's own ones, with a filter over names, tags and ids,
@@ -59,6 +62,8 @@ protected:
 private:
     void fill();
     void addOwn(QTreeWidgetItem* group, const OwnPattern& own);
+    /// A small picture of a pattern; the open one has a bar in front.
+    [[nodiscard]] QIcon pictureOf(const Pattern& pattern, bool isOpen) const;
     void applyFilter();
     void showMenu(const QPoint& at);
     void rename(const QString& key);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_panel.h"
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -47,7 +48,6 @@ bool same(const ServoTuning& a, const ServoTuning& b) {
 
 ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent)
-    , m_provenance(new QLabel(this))
     , m_state(new QLabel(this))
     , m_limits(new QLabel(this))
     , m_verdict(new QLabel(this))
@@ -63,8 +63,6 @@ ServoPanel::ServoPanel(QWidget* parent)
     , m_moment(new QCheckBox(this))
     , m_changes(new QLabel(this))
     , m_planned(new QPushButton(this)) {
-    m_provenance->setFont(base::bold(base::sized(font(), base::kSmallText)));
-    m_provenance->hide();
     m_state->setFont(base::sized(font(), base::kLargeText));
     m_state->setWordWrap(true);
     m_limits->setWordWrap(true);
@@ -92,7 +90,6 @@ ServoPanel::ServoPanel(QWidget* parent)
     const int margin = base::grid(this);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(margin / 2);
-    layout->addWidget(m_provenance);
     auto* task = new QHBoxLayout;
     task->setSpacing(margin);
     m_tasksName->setBuddy(m_tasks);
@@ -214,9 +211,7 @@ void ServoPanel::setStopEngaged(bool engaged) {
 void ServoPanel::showTexts() {
     showVerdict();
     const base::StatusColours& colours = base::statusColours(palette());
-    m_provenance->setText(base::provenanceText(m_shownProvenance));
-    m_provenance->setVisible(m_report && m_shownProvenance != base::Provenance::live);
-    base::setTextColour(m_provenance, colours.simulated);
+    base::showProvenance(this, m_report ? m_shownProvenance : base::Provenance::live);
     if (!m_report) {
         m_state->setText(tr("No servo"));
         base::setTextColour(m_state, palette().color(QPalette::WindowText));

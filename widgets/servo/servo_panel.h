@@ -51,7 +51,6 @@ private:
     void showChanges();
     void wish(const ServoTuning& tuning);
 
-    QLabel* m_provenance;
     QLabel* m_state;
     QLabel* m_limits;
     QLabel* m_verdict;

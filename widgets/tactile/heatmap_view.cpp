@@ -2,6 +2,7 @@
 #include "widgets/tactile/heatmap_view.h"
 
 #include "widgets/base/controls/inline_edit.h"
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -126,6 +127,7 @@ void HeatmapView::setEmptyText(const QString& text) {
 }
 
 void HeatmapView::setProvenance(base::Provenance provenance) {
+    base::showProvenance(this, provenance);
     m_content.provenance = provenance;
     update();
 }

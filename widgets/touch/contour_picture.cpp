@@ -193,10 +193,10 @@ void ContourPicture::paintHead(QPainter& painter, const QSizeF& size, const QPal
     QRectF head(0.5 * em, 0.3 * em, size.width() - em, 1.5 * em);
     const QString badge = base::provenanceText(provenance);
     painter.setFont(font);
-    if (!badge.isEmpty()) {
+    if (!badge.isEmpty() && !base::paintsScreen(painter)) {
         const QSizeF room = base::badgeSize(font, badge);
         base::paintBadge(painter, QRectF(QPointF(head.right() - room.width(), head.top()), room), badge,
-                         base::statusColours(palette).simulated);
+                         base::provenanceColour(provenance, palette));
         head.setRight(head.right() - room.width() - 0.5 * em);
     }
     const QFont large = base::sized(font, base::kLargeText);

@@ -15,6 +15,8 @@ class ContourView : public base::PictureView<ContourPicture> {
 public:
     explicit ContourView(QWidget* parent = nullptr);
 
+    void setProvenance(base::Provenance provenance);
+
     void setContour(const pipeline::ExploredContour& contour);
     void clear();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/sheet_view.h"
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -61,6 +62,7 @@ void SheetView::start(QAbstractItemModel* model) {
 }
 
 void SheetView::setProvenance(base::Provenance provenance) {
+    base::showProvenance(this, provenance);
     m_provenance = provenance;
     update();
 }
@@ -121,7 +123,6 @@ bool SheetView::eventFilter(QObject* watched, QEvent* event) {
 void SheetView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const QRectF line(base::grid(this), 0, width() - 2 * base::grid(this), base::em(this, kTitle_em));
-    base::paintProvenance(painter, line, m_provenance, palette(), 0.0);
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, title());
 }

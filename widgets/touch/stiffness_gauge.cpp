@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/stiffness_gauge.h"
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -44,6 +45,7 @@ void StiffnessGauge::setRefusal(stiffness::Refusal refusal) {
 }
 
 void StiffnessGauge::setProvenance(base::Provenance provenance) {
+    base::showProvenance(this, provenance);
     m_content.provenance = provenance;
     update();
 }

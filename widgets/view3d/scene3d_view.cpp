@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/scene3d_view.h"
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/figure_export.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
@@ -327,6 +328,7 @@ void Scene3dView::clear() {
 
 void Scene3dView::setProvenance(base::Provenance provenance) {
     if (provenance != m_parts->provenance) {
+        base::showProvenance(this, provenance);
         m_parts->provenance = provenance;
         m_parts->vtk->requestRender();
     }

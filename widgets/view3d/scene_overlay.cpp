@@ -53,7 +53,7 @@ public:
 private:
     void paintBadge() {
         const QString text = base::provenanceText(m_content.provenance);
-        if (text.isEmpty())
+        if (text.isEmpty() || base::paintsScreen(m_painter))
             return;
         const QRectF rect(QPointF(m_margin, m_margin), base::badgeSize(m_content.font, text));
         m_painter.setFont(m_content.font);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/operate_docks.h"
 
+#include "app/console/operate/dock_tabs.h"
 #include "widgets/base/theme.h"
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
-#include <QChildEvent>
 #include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
@@ -17,7 +17,7 @@
 #include <QScrollArea>
 #include <QSet>
 #include <QStyle>
-#include <QTabBar>
+#include <QTabWidget>
 
 #include <algorithm>
 #include <utility>
@@ -60,6 +60,8 @@ OperateDocks::OperateDocks(QWidget* parent)
     setDockNestingEnabled(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    connect(new DockTabs(this), &DockTabs::maximiseRequested, this,
+            [this](const QDockWidget* dock) { setMaximised(dock->objectName()); });
     connect(qApp, &QApplication::focusChanged, this, &OperateDocks::showFocus);
     // Queued: the window system may place the windows anew itself.
     connect(qApp, &QGuiApplication::screenRemoved, this, &OperateDocks::bringBack, Qt::QueuedConnection);
@@ -254,23 +256,6 @@ bool OperateDocks::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     return QMainWindow::eventFilter(watched, event);
-}
-
-void OperateDocks::childEvent(QChildEvent* event) {
-    QMainWindow::childEvent(event);
-    // Qt makes the tabs of docks that lie upon each other.
-    if (auto* tabs = qobject_cast<QTabBar*>(event->child()); tabs != nullptr && event->polished())
-        connect(tabs, &QTabBar::tabBarDoubleClicked, this, &OperateDocks::onTabDoubleClicked,
-                Qt::UniqueConnection);
-}
-
-void OperateDocks::onTabDoubleClicked(int tab) {
-    const auto* tabs = qobject_cast<QTabBar*>(sender());
-    for (const QDockWidget* dock : m_docks)
-        if (tabs != nullptr && tab >= 0 && dock->windowTitle() == tabs->tabText(tab) && dock->isVisible()) {
-            setMaximised(dock->objectName());
-            return;
-        }
 }
 
 QList<QAction*> OperateDocks::actions() const {

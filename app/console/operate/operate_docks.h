@@ -99,7 +99,6 @@ protected:
     bool event(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void childEvent(QChildEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -114,7 +113,6 @@ private:
     void enableActions();
     void bringBack();
     void showFocus(const QWidget* before, const QWidget* now);
-    void onTabDoubleClicked(int tab);
     void forgetMaximised();
     [[nodiscard]] QByteArray stateNow() const;
 

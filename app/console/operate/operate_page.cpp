@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/operate_page.h"
 
+#include "app/console/start/start_pictures.h"
 #include "app/sources/site_request.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
+#include "widgets/chrome/demo_card.h"
 #include "widgets/chrome/demo_list.h"
 #include "widgets/chrome/empty_state.h"
 #include "widgets/chrome/playback_bar.h"
@@ -19,6 +21,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -57,6 +60,9 @@ chrome::DeviceReading readingOf(const core::DeviceStatus& status, const SourceMa
     return reading;
 }
 
+/// The start page is whole before scenes are run for its pictures.
+constexpr int kPicturesAfter_ms = 1000;
+
 } // namespace
 
 OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core::StopSwitch& stop,
@@ -72,6 +78,8 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
     , m_recent(new chrome::RecentList(this))
     , m_demos(new chrome::DemoList(this))
+    , m_pictures(new StartPictures(
+          QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/scenes"), this))
     , m_docks(new OperateDocks(this))
     , m_heatmap(new tactile::HeatmapView(this))
     , m_charts(new charts::StripChartView(this))
@@ -120,6 +128,11 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     m_empty->setMore(m_recent);
     m_empty->setMore(m_demos);
     connect(m_demos, &chrome::DemoList::demoRequested, m_chooser, &chrome::SourceChooser::demoRequested);
+    m_askForPictures.setSingleShot(true);
+    m_askForPictures.setInterval(kPicturesAfter_ms);
+    connect(&m_askForPictures, &QTimer::timeout, this, &OperatePage::requestPictures);
+    connect(m_pictures, &StartPictures::made, m_demos, &chrome::DemoList::setPicture);
+    base::onChange(this, [this] { m_askForPictures.start(); }, {QEvent::PaletteChange});
     connect(demo, &QPushButton::clicked, this, &OperatePage::demoRequested);
     connect(recording, &QPushButton::clicked, this, &OperatePage::openRecordingRequested);
     connect(list, &QPushButton::clicked, this, &OperatePage::openListRequested);
@@ -318,6 +331,10 @@ void OperatePage::onSourcesChanged() {
     m_playback->setVisible(control != nullptr);
     QWidget* shown = m_sources.items().empty() ? static_cast<QWidget*>(m_empty) : m_docks;
     m_stack->setCurrentWidget(shown);
+    if (shown == m_empty)
+        m_askForPictures.start();
+    else
+        m_pictures->pause();
 }
 
 template <typename Call>
@@ -443,6 +460,23 @@ void OperatePage::onBraceletFailed(const core::Error& error) {
 void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos) {
     m_chooser->setDemos(demos);
     m_demos->setDemos(demos);
+    m_demoPaths.clear();
+    for (const chrome::SourceChooser::Demo& demo : demos)
+        m_demoPaths << demo.path;
+    m_askForPictures.start();
+}
+
+void OperatePage::requestPictures() {
+    if (!m_empty->isVisible())
+        return; // asked for again when it is shown
+    const QSizeF size = QSizeF(chrome::DemoCard::kPicture_em) * base::em(this, 1) * devicePixelRatioF();
+    m_pictures->request(m_demoPaths, size.toSize(), palette());
+    m_pictures->resume();
+}
+
+void OperatePage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_askForPictures.start();
 }
 
 void OperatePage::retranslate() {

@@ -14,6 +14,8 @@
 #include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/source_chooser.h"
 
+#include <QStringList>
+#include <QTimer>
 #include <QWidget>
 
 #include <cstdint>
@@ -42,6 +44,8 @@ class Scene3dView;
 }
 
 namespace teleta::console {
+
+class StartPictures;
 
 /// The Operate page: the views of the active source as docks, the source chooser, the playback bar, and
 /// notices above them. Every 30 Hz tick it drains what the pipeline made and repaints what changed. Thread:
@@ -85,7 +89,11 @@ signals:
     void openRecordingRequested();
     void openListRequested();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
+    void requestPictures();
     void onActiveChanged();
     /// Keeps the charts of the previous source until it is shown again.
     void changeCharts(pipeline::ChannelKey shown);
@@ -116,6 +124,9 @@ private:
     chrome::EmptyState* m_empty;
     chrome::RecentList* m_recent;
     chrome::DemoList* m_demos;
+    StartPictures* m_pictures;
+    QTimer m_askForPictures;
+    QStringList m_demoPaths;
     OperateDocks* m_docks;
     tactile::HeatmapView* m_heatmap;
     charts::StripChartView* m_charts;

@@ -212,6 +212,7 @@ void PatternsPage::showOwn() {
         item.renamable = isOwnFormat(item.path);
         if (stored.error)
             item.problem = QString::fromStdString(core::describe(*stored.error));
+        item.pattern = stored.pattern;
         if (stored.pattern) {
             if (!stored.pattern->name.empty())
                 item.name = QString::fromStdString(stored.pattern->name);

@@ -58,8 +58,8 @@ private slots:
         QFETCH(bool, dark);
         const QPalette palette = designedPalette(dark);
         const StatusColours& colours = statusColours(palette);
-        for (const QColor& colour :
-             {colours.live, colours.stale, colours.lost, colours.simulated, colours.neutral})
+        for (const QColor& colour : {colours.live, colours.stale, colours.lost, colours.simulated,
+                                     colours.recorded, colours.neutral})
             for (const auto ground : {QPalette::Window, QPalette::Base})
                 QVERIFY2(contrast(colour, palette.color(ground)) >= 4.5, qPrintable(colour.name()));
         QVERIFY(contrast(Qt::white, colours.stop) >= 4.5);
@@ -125,7 +125,7 @@ private slots:
     void sizedTextKeepsPointsOrPixels() {
         QFont points;
         points.setPointSizeF(10.0);
-        QCOMPARE(sized(points, kLargeText).pointSizeF(), 14.0);
+        QCOMPARE(sized(points, kLargeText).pointSizeF(), 15.0);
         QFont pixels;
         pixels.setPixelSize(20);
         QCOMPARE(sized(pixels, kSmallText).pixelSize(), 17);

@@ -22,7 +22,11 @@ private slots:
         auto* box = chooser.findChild<QComboBox*>();
         QCOMPARE(box->count(), 2);
         QCOMPARE(box->currentIndex(), 1);
-        QVERIFY(box->itemText(0).contains("SIMULATED"));
+        QVERIFY(box->itemData(0, Qt::AccessibleTextRole).toString().contains("SIMULATED"));
+        const auto* badge = chooser.findChild<teleta::base::ProvenanceBadge*>();
+        QVERIFY(!badge->isHidden());
+        QCOMPARE(badge->provenance(), Provenance::recorded); // of the source that is shown
+        QCOMPARE(badge->accessibleName(), QString("RECORDED"));
         QSignalSpy choices(&chooser, &SourceChooser::sourceChosen);
         QTest::keyClick(box, Qt::Key_Up);
         QCOMPARE(choices.size(), 1);
@@ -38,7 +42,7 @@ private slots:
 
     void offersDemosFilesAndRecentOnes() {
         SourceChooser chooser;
-        chooser.setDemos({{":/scenes/demo.toml", "A demo", "what it shows"}});
+        chooser.setDemos({{":/scenes/demo.toml", "A demo", "what it shows", "A group"}});
         chooser.setRecent({"/somewhere/run.csv"});
         QSignalSpy demos(&chooser, &SourceChooser::demoRequested);
         QSignalSpy recordings(&chooser, &SourceChooser::openRecordingRequested);

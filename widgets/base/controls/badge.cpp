@@ -24,6 +24,19 @@ QString provenanceText(Provenance provenance) {
                : QString();
 }
 
+QColor provenanceColour(Provenance provenance, const QPalette& palette) {
+    const StatusColours& colours = statusColours(palette);
+    return provenance == Provenance::recorded ? colours.recorded
+           : provenance == Provenance::live   ? colours.neutral
+                                              : colours.simulated;
+}
+
+bool paintsScreen(const QPainter& painter) {
+    // Charts are painted into a pixmap first.
+    const int kind = painter.device()->devType();
+    return kind == QInternal::Widget || kind == QInternal::Pixmap;
+}
+
 QSizeF badgeSize(const QFont& font, const QString& text) {
     const QFontMetricsF metrics(badgeFont(font));
     return {metrics.horizontalAdvance(text) + metrics.height(), metrics.height() * 1.25};
@@ -45,11 +58,11 @@ void paintBadge(QPainter& painter, const QRectF& rect, const QString& text, cons
 QRectF paintProvenance(QPainter& painter, const QRectF& line, Provenance provenance, const QPalette& palette,
                        double gap) {
     const QString text = provenanceText(provenance);
-    if (text.isEmpty())
+    if (text.isEmpty() || paintsScreen(painter))
         return line;
     const QSizeF size = badgeSize(painter.font(), text);
     const QPointF corner(line.right() - size.width(), line.center().y() - 0.5 * size.height());
-    paintBadge(painter, QRectF(corner, size), text, statusColours(palette).simulated);
+    paintBadge(painter, QRectF(corner, size), text, provenanceColour(provenance, palette));
     return line.adjusted(0.0, 0.0, -size.width() - gap, 0.0);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QCoreApplication>
 #include <QFont>
 #include <QPalette>
@@ -12,18 +13,26 @@ class QPainter;
 
 namespace teleta::base {
 
-/// Where the data of a view come from. Every view of data that are not live is labelled in violet.
+/// Where the data of a view come from. Every view of data that are not live says so: by a stripe on the
+/// screen, by a badge in a picture that leaves the program.
 enum class Provenance { live, recorded, simulated, recordedSimulation };
 
 /// "SIMULATED", "RECORDED", "RECORDED SIMULATION", translated; empty for live data.
 [[nodiscard]] QString provenanceText(Provenance provenance);
 
+/// Violet for simulated data, recorded ones among them; blue-grey for recorded ones of a device.
+[[nodiscard]] QColor provenanceColour(Provenance provenance, const QPalette& palette);
+
 /// A word in a coloured box, for states that must not be missed.
 [[nodiscard]] QSizeF badgeSize(const QFont& font, const QString& text);
 void paintBadge(QPainter& painter, const QRectF& rect, const QString& text, const QColor& colour);
 
-/// Labels data that are not live at the right end of a line, in the painter's font. Returns the rest of the
-/// line, up to a gap (px) before the label; for live data the whole line.
+/// Whether a painter draws what is on the screen only, and not a picture that is copied, saved or printed.
+[[nodiscard]] bool paintsScreen(const QPainter& painter);
+
+/// Labels data that are not live at the right end of a line, in the painter's font, in pictures that leave
+/// the program: on the screen a stripe does it. Returns the rest of the line, up to a gap (px) before the
+/// label; without a label the whole line.
 QRectF paintProvenance(QPainter& painter, const QRectF& line, Provenance provenance, const QPalette& palette,
                        double gap);
 

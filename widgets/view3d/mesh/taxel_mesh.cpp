@@ -2,9 +2,12 @@
 #include "widgets/view3d/mesh/taxel_mesh.h"
 
 #include <vtkCellArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkTexture.h>
 
+#include <algorithm>
 #include <array>
 
 namespace teleta::view3d {
@@ -14,6 +17,12 @@ namespace {
 constexpr std::size_t kCornersOfCell = 4;
 constexpr std::size_t kPointsOfCell = 2 * kCornersOfCell; ///< feet first, then tops
 constexpr std::size_t kColourComponents = 3;
+constexpr int kTexture_px = 32;
+constexpr int kBorder_px = 2;
+constexpr unsigned char kBorderShade = 120; ///< of 255
+/// Of the points of a cell in the texture.
+constexpr std::array<float, 2 * kPointsOfCell> kPlaces{0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F,
+                                                       0.0F, 0.0F, 1.0F, 0.0F, 1.0F, 1.0F, 0.0F, 1.0F};
 
 } // namespace
 
@@ -25,28 +34,53 @@ TaxelMesh::TaxelMesh() {
     points->SetData(m_positions);
     m_data->SetPoints(points);
     m_data->GetPointData()->SetScalars(m_colours);
+    m_places->SetNumberOfComponents(2);
+    m_places->SetName("place");
+    m_data->GetPointData()->SetTCoords(m_places);
 }
 
-void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, double gap) {
+void TaxelMesh::borderOn(vtkActor& actor) {
+    const vtkNew<vtkImageData> picture;
+    picture->SetDimensions(kTexture_px, kTexture_px, 1);
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* shade = static_cast<unsigned char*>(picture->GetScalarPointer());
+    for (int y = 0; y < kTexture_px; ++y) {
+        for (int x = 0; x < kTexture_px; ++x) {
+            const int inside = std::min({x, y, kTexture_px - 1 - x, kTexture_px - 1 - y});
+            for (int component = 0; component < 3; ++component)
+                *shade++ = inside < kBorder_px ? kBorderShade : 255;
+        }
+    }
+    const vtkNew<vtkTexture> texture;
+    texture->SetInputData(picture);
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    texture->SetMaximumAnisotropicFiltering(4.0F);
+    texture->SetWrap(vtkTexture::ClampToEdge);
+    actor.SetTexture(texture);
+}
+
+void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map) {
     m_corners.clear();
     m_corners.reserve(kCornersOfCell * grid.cells());
     const auto points = static_cast<vtkIdType>(kPointsOfCell * grid.cells());
     m_positions->SetNumberOfTuples(points);
     m_colours->SetNumberOfTuples(points);
     m_colours->Fill(0);
+    m_places->SetNumberOfTuples(points);
+    float* inTexture = m_places->GetPointer(0);
     const vtkNew<vtkCellArray> faces;
     float* position = m_positions->GetPointer(0);
     for (int row = 0; row < grid.rows(); ++row) {
         for (int column = 0; column < grid.columns(); ++column) {
             const DrawnGrid::Edges edges = grid.edges(row, column);
-            const double insetX_m = 0.5 * gap * (edges.x1_m - edges.x0_m);
-            const double insetY_m = 0.5 * gap * (edges.y1_m - edges.y0_m);
-            const double x0 = edges.x0_m + insetX_m;
-            const double x1 = edges.x1_m - insetX_m;
-            const double y0 = edges.y0_m + insetY_m;
-            const double y1 = edges.y1_m - insetY_m;
             const auto base = static_cast<vtkIdType>(2 * m_corners.size());
-            for (const auto& [x, y] : {std::array{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}})
+            // The feet lie in its middle, so that the sides fade to the colour of the cell.
+            inTexture = std::ranges::copy(kPlaces, inTexture).out;
+            for (const auto& [x, y] : {std::array{edges.x0_m, edges.y0_m},
+                                       {edges.x1_m, edges.y0_m},
+                                       {edges.x1_m, edges.y1_m},
+                                       {edges.x0_m, edges.y1_m}})
                 m_corners.push_back({map.point(x, y, 0.0).cast<float>(), map.normal(y).cast<float>()});
             for (int half = 0; half < 2; ++half) {
                 for (std::size_t i = m_corners.size() - kCornersOfCell; i < m_corners.size();
@@ -64,6 +98,7 @@ void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, double gap
     }
     m_data->SetPolys(faces);
     m_positions->Modified();
+    m_places->Modified();
     m_data->GetPoints()->Modified();
     m_colours->Modified();
 }

@@ -7,6 +7,7 @@
 #include <QRgb>
 
 #include <Eigen/Core>
+#include <vtkActor.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -23,8 +24,10 @@ class TaxelMesh {
 public:
     TaxelMesh();
 
-    /// gap: share of a cell's side left free between neighbours, 0..1.
-    void rebuild(const DrawnGrid& grid, const SurfaceMap& map, double gap);
+    /// Lets the border of each cell be darkened by a texture, which fades into the colour of the cell where
+    /// cells are small on the screen: lines would break into dashes there.
+    void borderOn(vtkActor& actor);
+    void rebuild(const DrawnGrid& grid, const SurfaceMap& map);
     /// One height (m, finite) and one colour for each cell. Allocates nothing.
     void update(std::span<const float> height_m, std::span<const QRgb> colour);
 
@@ -43,6 +46,7 @@ private:
     vtkNew<vtkPolyData> m_data;
     vtkNew<vtkFloatArray> m_positions;
     vtkNew<vtkUnsignedCharArray> m_colours;
+    vtkNew<vtkFloatArray> m_places; ///< of the points in the texture
 };
 
 } // namespace teleta::view3d

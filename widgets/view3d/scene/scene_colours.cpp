@@ -19,11 +19,11 @@ SceneColours::SceneColours(const QPalette& palette)
     outline = base::mixed(ground, text, 0.65);
     dead = base::mixed(ground, text, dark ? 0.38 : 0.34);
     deadCross = status.lost;
-    cylinder = dark ? QColor(0x9a, 0xae, 0xc0) : QColor(0x4c, 0x66, 0x80);
-    axes = dark ? std::array{QColor(0xf0, 0x7c, 0x72), QColor(0x6c, 0xc4, 0x7c), QColor(0x74, 0xae, 0xf0)}
-                : std::array{QColor(0xb8, 0x32, 0x2a), QColor(0x2a, 0x7d, 0x3c), QColor(0x22, 0x62, 0xb4)};
-    arm = dark ? QColor(0xb4, 0xba, 0xc2) : QColor(0xbc, 0xc2, 0xca);
-    armJoint = dark ? QColor(0x5a, 0x62, 0x6c) : QColor(0x4a, 0x52, 0x5c);
+    const base::SpaceColours& space = base::spaceColours(dark);
+    cylinder = space.tube;
+    axes = space.axes;
+    arm = space.shell;
+    armJoint = space.joint;
     contourPoint = text;
     contourCurve = palette.color(QPalette::Link);
     contourVertex = status.stale;

@@ -15,7 +15,6 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr double kGap = 0.14;
 constexpr double kSensorOutline_px = 1.5;
 constexpr double kRing_px = 1.0;
 constexpr double kTubeOpacity = 0.22;
@@ -40,6 +39,7 @@ SensorSize SensorSize::of(const core::ArrayLayout& layout, const DrawnGrid& grid
 }
 
 SensorPart::SensorPart() {
+    m_taxels.borderOn(*m_taxelActor.actor);
     m_tube.actor->GetProperty()->SetOpacity(kTubeOpacity);
     setVisible(false);
 }
@@ -91,7 +91,7 @@ void SensorPart::rebuild(const core::ArrayLayout& layout, const SurfaceMap& map,
     m_colour.assign(m_grid.cells(), 0);
     m_deadCells.reserve(m_grid.cells());
     m_crossedCells.clear();
-    m_taxels.rebuild(m_grid, map, kGap);
+    m_taxels.rebuild(m_grid, map);
     rebuildSlab();
     rebuildCylinder();
     update(std::vector<float>(m_share));
@@ -183,8 +183,10 @@ void SensorPart::rebuildCylinder() {
         }
         const int rings = static_cast<int>(std::floor(half_m / kRingSpacing_m));
         std::vector<double> places = {-half_m, half_m};
+        // Not below the array: they would lie over its cells like a second grid.
         for (int ring = -rings; ring <= rings; ++ring)
-            places.push_back(ring * kRingSpacing_m);
+            if (std::abs(ring * kRingSpacing_m) > m_size.halfX_m)
+                places.push_back(ring * kRingSpacing_m);
         std::array<Eigen::Vector3d, kStrips> circle;
         for (const double x : places) {
             for (int i = 0; i < kStrips; ++i)

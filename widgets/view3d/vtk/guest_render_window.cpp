@@ -11,11 +11,16 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
+#include <cmath>
 #include <utility>
 
 namespace teleta::view3d {
 
 namespace {
+
+constexpr unsigned kShadeSamples = 32;
+constexpr double kShadeReach = 0.02; ///< of ambient occlusion, of the size of the scene
+constexpr double kShadeBias = 0.05;  ///< of its reach
 
 /// With a software renderer, antialiasing takes longer than the rest of a frame.
 bool drawsInSoftware(const QOpenGLContext& context) {
@@ -53,6 +58,26 @@ bool GuestRenderWindow::attach(QOpenGLContext* context, QSurface* surface) {
     }
     SetMultiSamples(drawsInSoftware(*context) ? 0 : kSamples);
     return true;
+}
+
+void GuestRenderWindow::setQuality(FrameQuality::Level level) {
+    vtkCollectionSimpleIterator place;
+    GetRenderers()->InitTraversal(place);
+    while (vtkRenderer* renderer = GetRenderers()->GetNextRenderer(place)) {
+        const bool isShaded = level == FrameQuality::Level::shaded;
+        // The pass for ambient occlusion draws into a buffer of its own, with one sample a pixel.
+        renderer->SetUseFXAA(level != FrameQuality::Level::plain && (isShaded || GetMultiSamples() == 0));
+        renderer->SetUseSSAO(isShaded);
+        renderer->SetSSAOBlur(true);
+        renderer->SetSSAOKernelSize(kShadeSamples);
+        double box_m[6];
+        renderer->ComputeVisiblePropBounds(box_m);
+        const double size_m = std::hypot(box_m[1] - box_m[0], box_m[3] - box_m[2], box_m[5] - box_m[4]);
+        if (std::isfinite(size_m) && size_m > 0.0) {
+            renderer->SetSSAORadius(kShadeReach * size_m);
+            renderer->SetSSAOBias(kShadeReach * kShadeBias * size_m);
+        }
+    }
 }
 
 void GuestRenderWindow::detach() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/view3d/vtk/frame_quality.h"
+
 #include <QImage>
 #include <qopengl.h>
 
@@ -29,6 +31,9 @@ public:
     bool IsCurrent() override;
     int SupportsOpenGL() override { return attached() ? 1 : 0; }
 
+    /// How finely the next frames are drawn; edges are smoothed unless the driver takes several samples a
+    /// pixel.
+    void setQuality(FrameQuality::Level level);
     /// Submits the scene to the driver; saves OpenGL's state before and restores it after. Layer 0 has an
     /// opaque background.
     void renderGuarded();

@@ -71,6 +71,8 @@ void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
     m_size = size;
     m_stale = true;
     m_drawing = false; // of another size
+    m_quality.restart();
+    m_window->setQuality(m_quality.level());
     m_interactor->UpdateSize(size.width(), size.height());
     m_window->SetSize(size.width(), size.height());
     if (pixelScale != m_pixelScale) {
@@ -122,10 +124,14 @@ void VtkCanvas::beginFrame() {
 void VtkCanvas::endFrame() {
     m_lookAgain.stop();
     m_drawing = false;
+    m_isFine = false;
     m_frame = m_window->frame();
     m_frame.setDevicePixelRatio(m_pixelScale);
     ++m_framesRendered;
-    RenderQueue::instance().drawn(*this, m_begun_ns, core::steadyNow_ns());
+    const std::int64_t ended_ns = core::steadyNow_ns();
+    RenderQueue::instance().drawn(*this, m_begun_ns, ended_ns);
+    if (m_quality.drawn(ended_ns - m_begun_ns))
+        m_window->setQuality(m_quality.level());
     if (m_stale)
         requestRender();
 }
@@ -151,7 +157,10 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
         return;
     setDeviceSize(device, devicePixelRatio());
     const bool fits = m_frame.size() == device && m_frame.devicePixelRatio() == m_pixelScale;
-    if (!fits || !paintsOnScreen()) {
+    if (!paintsOnScreen()) {
+        if (!fits || m_stale || !m_isFine)
+            m_frame = finePicture();
+    } else if (!fits) {
         if (m_stale)
             beginFrame();
         if (m_drawing)
@@ -167,10 +176,25 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
+QImage VtkCanvas::finePicture() {
+    m_framesRendered += m_stale || m_drawing ? 1 : 0; // not for another picture of the same scene
+    m_drawing = false;                                // the window now draws another picture
+    const int samples = m_window->GetMultiSamples();
+    m_window->setQuality(FrameQuality::Level::plain);
+    m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take longer
+    m_window->renderGuarded();
+    QImage image = m_window->frame();
+    image.setDevicePixelRatio(m_pixelScale);
+    m_stale = false;
+    m_isFine = true;
+    m_window->SetMultiSamples(samples);
+    m_window->setQuality(m_quality.level());
+    return image;
+}
+
 QImage VtkCanvas::picture(double scale, bool withOverlay) {
     if (deviceSize().isEmpty() || !makeContext())
         return {};
-    m_drawing = false; // the window now draws another picture
     m_window->MakeCurrent();
     GLint largest = 0;
     m_context.functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -180,13 +204,7 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     const QSize before = m_size;
     const double pixelScaleBefore = m_pixelScale;
     setDeviceSize(device * used, devicePixelRatio() * used);
-    const int samples = m_window->GetMultiSamples();
-    m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take longer
-    m_window->renderGuarded();
-
-    QImage image = m_window->frame();
-    image.setDevicePixelRatio(m_pixelScale);
-    m_window->SetMultiSamples(samples);
+    QImage image = finePicture();
     if (!before.isEmpty())
         setDeviceSize(before, pixelScaleBefore);
     requestRender();

@@ -63,6 +63,8 @@ private:
     /// Waits for the driver to finish the frame.
     void endFrame();
     void lookForFrame();
+    /// Draws the scene at once with several samples a pixel.
+    [[nodiscard]] QImage finePicture();
     [[nodiscard]] bool paintsOnScreen() const;
     void setDeviceSize(const QSize& size, double pixelScale);
     [[nodiscard]] QSize deviceSize() const;
@@ -81,8 +83,10 @@ private:
     QPointF m_rightPress;
     bool m_rightDragged = false;
     bool m_stale = true;    ///< the scene has changed since the last frame was started
+    bool m_isFine = false;  ///< the last frame is a picture with several samples a pixel
     bool m_drawing = false; ///< a frame was started and is not finished
     std::int64_t m_begun_ns = 0;
+    FrameQuality m_quality;
     QTimer m_lookAgain;
     QSize m_size;
     double m_pixelScale = 0.0;

@@ -2,15 +2,18 @@
 #include "app/console/operate/operate_docks.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QDataStream>
 #include <QDockWidget>
 #include <QIODevice>
+#include <QMenu>
 #include <QScreen>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTest>
 
 #include <cstdlib>
+#include <utility>
 
 using teleta::console::OperateDocks;
 
@@ -29,6 +32,16 @@ struct Docks {
 
     OperateDocks docks;
 };
+
+/// The row that shows the tab of a dock, and the tab's place in it.
+std::pair<QTabBar*, int> tabOf(OperateDocks& docks, const char* name) {
+    const QString title = docks.findChild<QDockWidget*>(QLatin1String(name))->windowTitle();
+    for (auto* bar : docks.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        for (int tab = 0; bar->isVisible() && tab < bar->count(); ++tab)
+            if (bar->tabText(tab) == title)
+                return {bar, tab};
+    return {nullptr, -1};
+}
 
 bool isOnAScreen(const QWidget* window) {
     for (const QScreen* screen : QGuiApplication::screens())
@@ -184,6 +197,69 @@ private slots:
         QCOMPARE(d.docks.maximised(), QString("marks"));
         d.docks.toggleMaximised();
         QCOMPARE(d.docks.maximised(), QString());
+    }
+
+    void theTabIsTheTitleOfADock() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        auto* marks = d.docks.findChild<QDockWidget*>("marks");
+        auto* heatmap = d.docks.findChild<QDockWidget*>("heatmap");
+        QTRY_VERIFY(d.charts()->titleBarWidget() != nullptr);
+        QCOMPARE(d.charts()->titleBarWidget()->height(), 0);
+        QVERIFY(marks->titleBarWidget() != nullptr);
+        QVERIFY2(heatmap->titleBarWidget() == nullptr, "it has no tab");
+        marks->close();
+        QTRY_VERIFY2(d.charts()->titleBarWidget() == nullptr, "the last one of its row has a title again");
+        QTRY_VERIFY(d.charts()->widget()->y() > 0);
+        marks->show();
+        QTRY_VERIFY(d.charts()->titleBarWidget() != nullptr);
+    }
+
+    void aTabIsDraggedOutOfItsRow() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        const auto [tabs, tab] = tabOf(d.docks, "marks");
+        QVERIFY(tabs != nullptr);
+        auto* marks = d.docks.findChild<QDockWidget*>("marks");
+        const QPoint start = tabs->tabRect(tab).center();
+        QTest::mousePress(tabs, Qt::LeftButton, {}, start);
+        QTest::mouseMove(tabs, start + QPoint(3, 0));
+        QVERIFY2(!marks->isFloating(), "it is only moved in its row");
+        QTest::mouseMove(tabs, start + QPoint(3, -200));
+        QVERIFY(marks->isFloating());
+        QVERIFY(marks->isVisible());
+        QTRY_VERIFY2(marks->titleBarWidget() == nullptr, "a window of its own has a title");
+        QTRY_VERIFY(d.charts()->titleBarWidget() == nullptr);
+    }
+
+    void theMenuOfATabFloatsAndClosesItsDock() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        auto* marks = d.docks.findChild<QDockWidget*>("marks");
+        const auto choose = [&](const char* text) {
+            const auto [tabs, tab] = tabOf(d.docks, "marks");
+            const QPoint place = tabs->tabRect(tab).center();
+            QContextMenuEvent event(QContextMenuEvent::Mouse, place, tabs->mapToGlobal(place));
+            QCoreApplication::sendEvent(tabs, &event);
+            auto* menu = d.docks.findChild<QMenu*>();
+            for (QAction* action : menu->actions())
+                if (action->text() == QLatin1String(text))
+                    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+            QTRY_VERIFY(d.docks.findChild<QMenu*>() == nullptr);
+        };
+        choose("&Float");
+        QVERIFY(marks->isFloating());
+        marks->setFloating(false);
+        QTRY_VERIFY(marks->titleBarWidget() != nullptr);
+        choose("&Close");
+        QVERIFY(marks->isHidden());
+        marks->show();
+        QTRY_VERIFY(marks->titleBarWidget() != nullptr);
+        choose("&Maximise");
+        QCOMPARE(d.docks.maximised(), QString("marks"));
     }
 
     void aLargerWindowGivesItsRoomToThePictures() {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "backend/scene/scene.h"
+
+#include <QImage>
+#include <QPalette>
+#include <QSize>
+
+namespace teleta::console {
+
+/// What a scene looks like while something touches: it is run until then, with seed 1. An array and a servo
+/// show their loads (cividis, darkest at 0), an arm its links and objects from above, a camera its image.
+/// Takes from a few milliseconds to a second. size: of the picture, px; palette: its colours. Error: badInput
+/// when the scene is not valid. Thread: any.
+[[nodiscard]] core::Expected<QImage> scenePicture(const scene::Scene& scene, const QSize& size,
+                                                  const QPalette& palette);
+
+} // namespace teleta::console

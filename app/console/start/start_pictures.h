@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QPalette>
+#include <QSize>
+#include <QStringList>
+#include <QThreadPool>
+
+namespace teleta::console {
+
+/// Pictures of scenes for the start page: made by running the scenes, one after the other on a thread of
+/// their own, and kept in a folder, so that a scene is run once for each of its versions and for each theme.
+/// A picture that cannot be made or kept is left out: the page then shows an icon. Thread: GUI.
+class StartPictures : public QObject {
+    Q_OBJECT
+
+public:
+    /// folder: of the pictures, made when it is needed; empty: none are kept.
+    explicit StartPictures(QString folder, QObject* parent = nullptr);
+    /// Waits for the scene that is run.
+    ~StartPictures() override;
+
+    /// Asks for the pictures of scenes (files or resources), in this order; forgets what was asked before.
+    void request(const QStringList& paths, const QSize& size, const QPalette& palette);
+    /// Makes no further pictures until resume(): something else needs the processor.
+    void pause() { m_paused = true; }
+    void resume();
+
+signals:
+    void made(const QString& path, const QImage& picture);
+
+private:
+    void next();
+
+    QString m_folder;
+    QThreadPool m_thread;
+    QStringList m_waiting;
+    QSize m_size;
+    QPalette m_palette;
+    bool m_paused = false;
+    bool m_working = false;
+    std::uint64_t m_request = 0;
+};
+
+} // namespace teleta::console

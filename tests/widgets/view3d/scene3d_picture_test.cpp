@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the 3-D view against kept ones in the folder `pictures`, which people have looked at. Their
+// structure is compared (SSIM), so that another version of Mesa or of the fonts passes, and a part that is
+// missing, elsewhere or in another shade does not. TELETA_WRITE_PICTURES=1 writes the kept ones anew.
+#include "tests/widgets/camera/sample_camera.h"
+#include "tests/widgets/view3d/touch_examples.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/scene3d_view.h"
+#include "widgets/view3d/vtk/guest_render_window.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QImage>
+#include <QTest>
+
+#include <algorithm>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+using namespace teleta;
+using view3d::Scene3dView;
+
+namespace {
+
+constexpr QSize kView(480, 360);
+constexpr QSize kKept(240, 180);
+constexpr double kLeastWhole = 0.95; ///< mean over all windows
+constexpr double kLeastPart = 0.55;  ///< mean over the worst twentieth of the windows
+constexpr int kWindow_px = 8;
+
+/// SSIM of each window of two grey pictures of the same size, by decreasing likeness: Wang et al. 2004,
+/// equation 13, with uniform windows, K1 = 0.01, K2 = 0.03 and L = 255.
+std::vector<double> likeness(const QImage& a, const QImage& b) {
+    constexpr double kC1 = 0.01 * 255.0 * 0.01 * 255.0;
+    constexpr double kC2 = 0.03 * 255.0 * 0.03 * 255.0;
+    constexpr double kPixels = kWindow_px * kWindow_px;
+    std::vector<double> windows;
+    for (int top = 0; top + kWindow_px <= a.height(); top += kWindow_px / 2) {
+        for (int left = 0; left + kWindow_px <= a.width(); left += kWindow_px / 2) {
+            double sumA = 0.0, sumB = 0.0, sumAA = 0.0, sumBB = 0.0, sumAB = 0.0;
+            for (int y = top; y < top + kWindow_px; ++y) {
+                for (int x = left; x < left + kWindow_px; ++x) {
+                    const double pa = a.constScanLine(y)[x];
+                    const double pb = b.constScanLine(y)[x];
+                    sumA += pa;
+                    sumB += pb;
+                    sumAA += pa * pa;
+                    sumBB += pb * pb;
+                    sumAB += pa * pb;
+                }
+            }
+            const double meanA = sumA / kPixels, meanB = sumB / kPixels;
+            const double varA = sumAA / kPixels - meanA * meanA, varB = sumBB / kPixels - meanB * meanB;
+            const double both = sumAB / kPixels - meanA * meanB;
+            windows.push_back((2.0 * meanA * meanB + kC1) * (2.0 * both + kC2) /
+                              ((meanA * meanA + meanB * meanB + kC1) * (varA + varB + kC2)));
+        }
+    }
+    std::ranges::sort(windows, std::greater());
+    return windows;
+}
+
+double meanOf(std::vector<double>::const_iterator from, std::vector<double>::const_iterator to) {
+    return std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
+}
+
+bool areAlike(const std::vector<double>& windows) {
+    return meanOf(windows.begin(), windows.end()) >= kLeastWhole &&
+           meanOf(windows.end() - static_cast<std::ptrdiff_t>(windows.size() / 20), windows.end()) >=
+               kLeastPart;
+}
+
+QImage greyOf(const QImage& image) {
+    return image.scaled(kKept, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_Grayscale8);
+}
+
+/// What VTK draws, without labels: fonts differ from machine to machine.
+QImage pictureOf(Scene3dView& view) {
+    return greyOf(
+        view.findChild<view3d::VtkWidget*>()->picture(1.0, view3d::VtkWidget::PictureOverlay::without));
+}
+
+void showTouches(Scene3dView& view) {
+    const core::ArrayLayout layout;
+    view.setSnapshot(test::pressed(layout, {{1, -0.012, 0.001, 1.2}, {2, 0.011, 0.002, 0.6}}, 1));
+}
+
+void showArm(Scene3dView& view) {
+    std::vector<view3d::ArmLink> links(2);
+    links[0].X_World_Link.rotate(Eigen::AngleAxisd(-0.5, Eigen::Vector3d::UnitY()));
+    links[0].X_World_Link.pretranslate(Eigen::Vector3d(-0.4, 0, 0.05));
+    links[0].length_m = 0.25;
+    links[0].radius_m = 0.02;
+    links[1].X_World_Link = links[0].X_World_Link * Eigen::Translation3d(0.25, 0, 0) *
+                            Eigen::AngleAxisd(0.9, Eigen::Vector3d::UnitY());
+    links[1].length_m = 0.18;
+    links[1].radius_m = 0.016;
+    view.setArmLinks(links);
+    Eigen::Isometry3d pose = links[1].X_World_Link;
+    pose.translate(Eigen::Vector3d(0.14, 0, 0.018));
+    view.setSensorPose(pose);
+    showTouches(view);
+}
+
+void showContour(Scene3dView& view) {
+    const auto circle = [](int count, bool closed) {
+        std::vector<Eigen::Vector3d> points;
+        for (int i = 0; i < count + (closed ? 1 : 0); ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / count;
+            points.emplace_back(0.04 * std::cos(angle), 0.04 * std::sin(angle), 0.03);
+        }
+        return points;
+    };
+    view.setContour(circle(16, false), circle(96, true), {}, {});
+}
+
+struct Example {
+    const char* name;
+    std::function<void(Scene3dView&)> show;
+};
+
+const std::vector<Example> kExamples{
+    {"plate", showTouches},
+    {"top",
+     [](Scene3dView& view) {
+         showTouches(view);
+         view.look(view3d::CameraPreset::top);
+     }},
+    {"cylinder",
+     [](Scene3dView& view) {
+         view.setSurface(view3d::Surface::cylinder);
+         const core::ArrayLayout skin{.rows = 20, .columns = 24, .pitch_m = 0.0094};
+         view.setCylinder({.radius_m = 0.03, .length_m = 0.226});
+         view.setSnapshot(test::pressed(skin, {{1, -0.02, 0.01, 1.0, 0.02}}, 1));
+     }},
+    {"arm", showArm},
+    {"contour", showContour},
+    {"tube",
+     [](Scene3dView& view) {
+         const pipeline::CameraSnapshot camera = test::sampleCamera();
+         view.setTube(&camera);
+     }},
+};
+
+} // namespace
+
+class Scene3dPictureTest : public QObject {
+    Q_OBJECT
+
+private:
+    static QImage drawn(const Example& example, bool dark) {
+        base::applyTheme(dark ? base::ThemeChoice::dark : base::ThemeChoice::light);
+        Scene3dView view;
+        view.findChild<view3d::VtkWidget*>()->setFixedSize(kView);
+        view.show();
+        if (!QTest::qWaitForWindowExposed(&view))
+            return {};
+        example.show(view);
+        return pictureOf(view);
+    }
+    static QString fileOf(const Example& example) {
+        return QStringLiteral(TELETA_SOURCE_DIR "/tests/widgets/view3d/pictures/") +
+               QLatin1String(example.name) + QStringLiteral(".png");
+    }
+
+private slots:
+    void viewsLookAsTheyDid_data() {
+        QTest::addColumn<int>("index");
+        for (std::size_t i = 0; i < kExamples.size(); ++i)
+            QTest::newRow(kExamples[i].name) << static_cast<int>(i);
+    }
+    void viewsLookAsTheyDid() {
+        QFETCH(int, index);
+        const Example& example = kExamples[static_cast<std::size_t>(index)];
+        const QImage picture = drawn(example, index % 2 == 1);
+        QVERIFY(!picture.isNull());
+        if (qEnvironmentVariableIsSet("TELETA_WRITE_PICTURES"))
+            QVERIFY(picture.save(fileOf(example)));
+        const QImage kept = QImage(fileOf(example)).convertToFormat(QImage::Format_Grayscale8);
+        QCOMPARE(kept.size(), kKept);
+        const std::vector<double> windows = likeness(picture, kept);
+        if (!areAlike(windows))
+            picture.save(QDir::temp().filePath(QLatin1String(example.name) + QStringLiteral("-drawn.png")));
+        QVERIFY2(areAlike(windows),
+                 qPrintable(QStringLiteral("mean %1, worst twentieth %2")
+                                .arg(meanOf(windows.begin(), windows.end()))
+                                .arg(meanOf(windows.end() - static_cast<std::ptrdiff_t>(windows.size() / 20),
+                                            windows.end()))));
+    }
+
+    /// Smoothed edges and darker corners change how a scene is drawn, and not what is seen of it.
+    void everyLevelDrawsTheSameScene_data() { viewsLookAsTheyDid_data(); }
+    void everyLevelDrawsTheSameScene() {
+        QFETCH(int, index);
+        const Example& example = kExamples[static_cast<std::size_t>(index)];
+        Scene3dView view;
+        auto* vtk = view.findChild<view3d::VtkWidget*>();
+        vtk->setFixedSize(kView);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        example.show(view);
+        QVERIFY(!pictureOf(view).isNull());
+        auto* window = static_cast<view3d::GuestRenderWindow*>(vtk->renderWindow());
+        window->SetMultiSamples(0);
+        std::vector<QImage> levels;
+        for (const auto level : {view3d::FrameQuality::Level::plain, view3d::FrameQuality::Level::smooth,
+                                 view3d::FrameQuality::Level::shaded}) {
+            window->setQuality(level);
+            window->renderGuarded();
+            levels.push_back(window->frame());
+            if (qEnvironmentVariableIsSet("TELETA_WRITE_PICTURES"))
+                levels.back().save(QDir::temp().filePath(QStringLiteral("%1-%2.png")
+                                                             .arg(QLatin1String(example.name))
+                                                             .arg(static_cast<int>(level))));
+        }
+        QVERIFY2(levels[1] != levels[0], "edges are smoothed");
+        for (std::size_t level = 1; level < levels.size(); ++level) {
+            const auto windows = likeness(greyOf(levels[level]), greyOf(levels[0]));
+            const double mean = meanOf(windows.begin(), windows.end());
+            QVERIFY2(mean >= 0.85, qPrintable(QStringLiteral("level %1: %2").arg(level).arg(mean)));
+        }
+    }
+
+    /// The measure sees what it is for.
+    void aPartThatIsMissingIsSeen() {
+        const QImage arm = drawn(kExamples[3], true);
+        QVERIFY(areAlike(likeness(arm, arm)));
+        Example without{"arm", showTouches};
+        QVERIFY(!areAlike(likeness(drawn(without, true), arm)));
+        QVERIFY(!areAlike(likeness(drawn(kExamples[3], false), arm)));
+        // A shift by two pixels of 480 is seen; noise of 1 % is not.
+        QVERIFY(!areAlike(likeness(arm.copy(QRect(QPoint(3, 2), kKept)), arm)));
+        QImage noisy = arm;
+        std::uint32_t state = 1;
+        for (int y = 0; y < noisy.height(); ++y)
+            for (int x = 0; x < noisy.width(); ++x) {
+                state = state * 1664525U + 1013904223U;
+                uchar& pixel = noisy.scanLine(y)[x];
+                pixel = static_cast<uchar>(std::clamp(pixel + static_cast<int>(state >> 30) - 1, 0, 255));
+            }
+        QVERIFY(areAlike(likeness(noisy, arm)));
+    }
+};
+
+int main(int argc, char** argv) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    Scene3dPictureTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "scene3d_picture_test.moc"
