@@ -61,9 +61,9 @@ core::Expected<GelPlane> GelPlane::make(const MarkerGelFile& gel, int width_px, 
                                         double pitch_px) {
     GelPlane plane;
     plane.m_lens = gel.lens;
-    const std::array<Eigen::Vector2d, 4> corners{
-        Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(width_px, 0.0), Eigen::Vector2d(0.0, height_px),
-        Eigen::Vector2d(width_px, height_px)};
+    const std::array<Eigen::Vector2d, 4> corners{Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(width_px, 0.0),
+                                                 Eigen::Vector2d(0.0, height_px),
+                                                 Eigen::Vector2d(width_px, height_px)};
     if (gel.lens) {
         // The undistorted corner may lie further out than the seen one.
         constexpr double kFarther = 4.0;
@@ -104,10 +104,10 @@ Eigen::Vector2d GelPlane::surface_m(const Eigen::Vector2d& pixel) const {
 }
 
 double GelPlane::scale_m(const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector2d alongU = surface_m(pixel + Eigen::Vector2d(0.5, 0.0)) -
-                                   surface_m(pixel - Eigen::Vector2d(0.5, 0.0));
-    const Eigen::Vector2d alongV = surface_m(pixel + Eigen::Vector2d(0.0, 0.5)) -
-                                   surface_m(pixel - Eigen::Vector2d(0.0, 0.5));
+    const Eigen::Vector2d alongU =
+        surface_m(pixel + Eigen::Vector2d(0.5, 0.0)) - surface_m(pixel - Eigen::Vector2d(0.5, 0.0));
+    const Eigen::Vector2d alongV =
+        surface_m(pixel + Eigen::Vector2d(0.0, 0.5)) - surface_m(pixel - Eigen::Vector2d(0.0, 0.5));
     return std::sqrt(std::abs(alongU.x() * alongV.y() - alongU.y() * alongV.x()));
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kNearShare = 0.7;
 constexpr double kFarShare = 2.0;
-/// Share of the contrast that counts as fully dark: what crosses a marker and is darker counts no more than it.
+/// Share of the contrast that counts as fully dark: what crosses a marker and is darker counts no more than
+/// it.
 constexpr double kFullShade = 0.6;
 constexpr double kCoreShare = 0.3; ///< radius of a marker's middle, in diameters
 constexpr int kCentreSteps = 15;
@@ -208,8 +209,8 @@ bool MarkerDetector::readShade(const cv::Mat1b& picture, const cv::Point& middle
         const auto unit = static_cast<float>(scale);
         const int right = std::min(m_reach, picture.cols - 1 - middle.x);
         for (int u = std::max(-m_reach, -middle.x); u <= right; ++u)
-            shade[u] = std::clamp(level + slope * static_cast<float>(u) - unit * static_cast<float>(row[u]), 0.0F,
-                                  1.0F);
+            shade[u] = std::clamp(level + slope * static_cast<float>(u) - unit * static_cast<float>(row[u]),
+                                  0.0F, 1.0F);
     }
     return true;
 }
@@ -219,8 +220,7 @@ std::optional<MarkerCentre> MarkerDetector::centre(const cv::Mat1b& picture, con
     const cv::Point middle(static_cast<int>(std::lround(place_px.x())),
                            static_cast<int>(std::lround(place_px.y())));
     MarkerCentre result{.place_px = place_px};
-    if (!isInside(picture, place_px) ||
-        !readShade(picture, middle, leastContrast, mostContrast, result))
+    if (!isInside(picture, place_px) || !readShade(picture, middle, leastContrast, mostContrast, result))
         return std::nullopt;
     const double rim_px = 0.5 * m_diameter_px;
     const double width_px = std::max(kLeastRim_px, kRimShare * m_diameter_px);
@@ -232,8 +232,10 @@ std::optional<MarkerCentre> MarkerDetector::centre(const cv::Mat1b& picture, con
     const auto perWidth = static_cast<float>(1.0 / width_px);
     for (int step = 0; step < kCentreSteps; ++step) {
         // What lies opposite of a part outside of the picture would pull: it fades out.
-        const auto mostU = static_cast<float>(std::min(middle.x + at.x(), picture.cols - 1 - middle.x - at.x()) + 0.5);
-        const auto mostV = static_cast<float>(std::min(middle.y + at.y(), picture.rows - 1 - middle.y - at.y()) + 0.5);
+        const auto mostU =
+            static_cast<float>(std::min(middle.x + at.x(), picture.cols - 1 - middle.x - at.x()) + 0.5);
+        const auto mostV =
+            static_cast<float>(std::min(middle.y + at.y(), picture.rows - 1 - middle.y - at.y()) + 0.5);
         std::array<float, kLanes> gu4{}, gv4{}, huu4{}, huv4{}, hvv4{};
         const int top = std::max(-m_reach, static_cast<int>(std::ceil(at.y() - outer_px)));
         const int bottom = std::min(m_reach, static_cast<int>(std::floor(at.y() + outer_px)));
@@ -270,7 +272,8 @@ std::optional<MarkerCentre> MarkerDetector::centre(const cv::Mat1b& picture, con
                 }
             }
         }
-        const double gu = sumOf(gu4), gv = sumOf(gv4), huu = sumOf(huu4), huv = sumOf(huv4), hvv = sumOf(hvv4);
+        const double gu = sumOf(gu4), gv = sumOf(gv4), huu = sumOf(huu4), huv = sumOf(huv4),
+                     hvv = sumOf(hvv4);
         // Newton's step where the sum is curved downwards, else uphill.
         const Eigen::Vector2d gradient(gu, gv);
         const double determinant = huu * hvv - huv * huv;
@@ -278,7 +281,8 @@ std::optional<MarkerCentre> MarkerDetector::centre(const cv::Mat1b& picture, con
         if (huu + hvv > 0.0 && determinant > 0.05 * huu * hvv)
             shift = Eigen::Vector2d(hvv * gu - huv * gv, huu * gv - huv * gu) / determinant;
         else
-            shift = gradient.norm() > 0.0 ? Eigen::Vector2d(0.5 * gradient.normalized()) : Eigen::Vector2d::Zero();
+            shift = gradient.norm() > 0.0 ? Eigen::Vector2d(0.5 * gradient.normalized())
+                                          : Eigen::Vector2d::Zero();
         const double longest_px = std::max(0.5, 0.15 * m_diameter_px);
         if (shift.norm() > longest_px)
             shift *= longest_px / shift.norm();
@@ -294,13 +298,14 @@ std::optional<MarkerCentre> MarkerDetector::centre(const cv::Mat1b& picture, con
     double mass = 0.0, suu = 0.0, suv = 0.0, svv = 0.0;
     const auto middleOf = [](double x) { return static_cast<int>(std::lround(x)); };
     const int reach = std::min(m_reach, static_cast<int>(m_window_px) + 1);
-    for (int v = std::max(-m_reach, middleOf(at.y()) - reach); v <= std::min(m_reach, middleOf(at.y()) + reach); ++v) {
+    for (int v = std::max(-m_reach, middleOf(at.y()) - reach);
+         v <= std::min(m_reach, middleOf(at.y()) + reach); ++v) {
         for (int u = std::max(-m_reach, middleOf(at.x()) - reach);
              u <= std::min(m_reach, middleOf(at.x()) + reach); ++u) {
             const double du = u - at.x();
             const double dv = v - at.y();
-            const double shade =
-                static_cast<double>(m_shade[static_cast<std::size_t>((v + m_reach) * m_stride + u + m_reach)]);
+            const double shade = static_cast<double>(
+                m_shade[static_cast<std::size_t>((v + m_reach) * m_stride + u + m_reach)]);
             // Its border is where the contrast is half.
             const double dark = std::clamp(0.5 + (kFullShade * shade - 0.5) / 0.2, 0.0, 1.0);
             if (dark <= 0.0 || du * du + dv * dv > m_window_px * m_window_px)

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
 
-#include <limits>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -62,9 +61,9 @@ private:
                                  double mostContrast, MarkerCentre& result);
 
     double m_diameter_px;
-    double m_window_px; ///< radius
+    double m_window_px;               ///< radius
     double m_innerRing_px, m_ring_px; ///< radii of the ring that shows the ground
-    std::vector<float> m_shade; ///< of a square of 2 m_reach + 1 pixels, each row m_stride long
+    std::vector<float> m_shade;       ///< of a square of 2 m_reach + 1 pixels, each row m_stride long
     int m_reach = 0, m_stride = 0;
     std::vector<std::uint8_t> m_levels;
     cv::Mat1b m_held, m_near, m_far, m_response, m_highest;

@@ -21,9 +21,9 @@ struct GelText {
 };
 
 constexpr std::size_t kLeastMarkers = 4;
-constexpr double kLeastOfGrid = 0.5;   ///< share of the rows x columns that must be seen
-constexpr double kFlatLevels = 3.0;    ///< standard deviation of a picture without contrast
-constexpr double kMostLong = 2.0;      ///< long axis over short axis of a marker
+constexpr double kLeastOfGrid = 0.5;     ///< share of the rows x columns that must be seen
+constexpr double kFlatLevels = 3.0;      ///< standard deviation of a picture without contrast
+constexpr double kMostLong = 2.0;        ///< long axis over short axis of a marker
 constexpr double kSmallestOfUsual = 0.5; ///< diameter against the median
 constexpr double kLargestOfUsual = 1.8;
 constexpr double kUnknownNoise_px = 0.1;
@@ -95,12 +95,13 @@ std::vector<MarkerCentre> markersIn(const cv::Mat1b& picture, MarkerDetector& de
 core::Expected<cv::Mat1b> MarkerGel::picture(const MarkerGelFile& file, const cv::Mat1b& frame) {
     cv::Rect part(0, 0, frame.cols, frame.rows);
     if (file.crop.size() == 4)
-        part = {static_cast<int>(file.crop[0]), static_cast<int>(file.crop[1]), static_cast<int>(file.crop[2]),
-                static_cast<int>(file.crop[3])};
+        part = {static_cast<int>(file.crop[0]), static_cast<int>(file.crop[1]),
+                static_cast<int>(file.crop[2]), static_cast<int>(file.crop[3])};
     if (part.x + part.width > frame.cols || part.y + part.height > frame.rows)
-        return core::refused(
-            GelText::tr("The crop reaches out of the picture of %1 x %2 pixels.").arg(frame.cols).arg(frame.rows),
-            GelText::tr("x + width and y + height within the picture"));
+        return core::refused(GelText::tr("The crop reaches out of the picture of %1 x %2 pixels.")
+                                 .arg(frame.cols)
+                                 .arg(frame.rows),
+                             GelText::tr("x + width and y + height within the picture"));
     cv::Mat1b picture = frame(part);
     if (file.flipX || file.flipY) {
         cv::Mat1b flipped;
@@ -128,11 +129,11 @@ core::Expected<MarkerGel> MarkerGel::make(const MarkerGelFile& file, std::span<c
         centres = markersIn(start, rough);
     }
     if (centres.size() < kLeastMarkers)
-        return core::refused(GelText::tr("The picture shows no markers: %1 were found.").arg(centres.size()),
-                             GelText::tr("at least %1 round %2 spots of one size")
-                                 .arg(kLeastMarkers)
-                                 .arg(file.polarity == MarkerPolarity::bright ? GelText::tr("bright")
-                                                                              : GelText::tr("dark")));
+        return core::refused(
+            GelText::tr("The picture shows no markers: %1 were found.").arg(centres.size()),
+            GelText::tr("at least %1 round %2 spots of one size")
+                .arg(kLeastMarkers)
+                .arg(file.polarity == MarkerPolarity::bright ? GelText::tr("bright") : GelText::tr("dark")));
     // Again, with what neighbours leave of the window.
     MarkerDetector detector(diameter_px, nearestDistance_px(placesOf(centres)));
     centres = markersIn(start, detector);
@@ -148,17 +149,20 @@ core::Expected<MarkerGel> MarkerGel::make(const MarkerGelFile& file, std::span<c
             return std::pair(a.first.row, a.first.column) < std::pair(b.first.row, b.first.column);
         });
         const bool isRectangular = file.grid == MarkerGrid::rectangular;
-        const double wanted = isRectangular ? static_cast<double>(file.rows) * file.columns
-                                            : static_cast<double>(seen);
+        const double wanted =
+            isRectangular ? static_cast<double>(file.rows) * file.columns : static_cast<double>(seen);
         if (kept.size() < kLeastMarkers || static_cast<double>(kept.size()) < kLeastOfGrid * wanted)
             return core::refused(
                 isRectangular
-                    ? GelText::tr("The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.")
+                    ? GelText::tr(
+                          "The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.")
                           .arg(file.rows)
                           .arg(file.columns)
                           .arg(seen)
                           .arg(kept.size())
-                    : GelText::tr("The markers form no hexagonal grid: %1 of %2 spots do.").arg(kept.size()).arg(seen),
+                    : GelText::tr("The markers form no hexagonal grid: %1 of %2 spots do.")
+                          .arg(kept.size())
+                          .arg(seen),
                 GelText::tr("the grid that the sensor's file names"));
         centres.clear();
         grid.clear();
@@ -219,11 +223,10 @@ void MarkerGel::findReference(std::span<const cv::Mat1b> first) {
             if (!marker.found || (marker.now_px - start[i]).norm() <= moves_px)
                 continue;
             touched += static_cast<std::size_t>(
-                std::ranges::count_if(m_tracker.neighbours()[i],
-                                      [&](std::size_t k) {
-                                          const TrackedMarker& other = m_tracker.markers()[k];
-                                          return other.found && (other.now_px - start[k]).norm() > moves_px;
-                                      }) > 0);
+                std::ranges::count_if(m_tracker.neighbours()[i], [&](std::size_t k) {
+                    const TrackedMarker& other = m_tracker.markers()[k];
+                    return other.found && (other.now_px - start[k]).norm() > moves_px;
+                }) > 0);
         }
         if (touched >= kTouched)
             break;
@@ -260,10 +263,11 @@ void MarkerGel::findReference(std::span<const cv::Mat1b> first) {
 
 core::Expected<void> MarkerGel::track(const cv::Mat1b& picture, double time_s) {
     if (picture.size() != m_size)
-        return core::refused(GelText::tr("The size of the picture has changed to %1 x %2.")
-                                 .arg(picture.cols)
-                                 .arg(picture.rows),
-                             GelText::tr("%1 x %2 pixels, as at the beginning").arg(m_size.width).arg(m_size.height));
+        return core::refused(
+            GelText::tr("The size of the picture has changed to %1 x %2.")
+                .arg(picture.cols)
+                .arg(picture.rows),
+            GelText::tr("%1 x %2 pixels, as at the beginning").arg(m_size.width).arg(m_size.height));
     m_found = m_tracker.track(picture);
     place();
     judge(picture, time_s);
@@ -290,7 +294,8 @@ void MarkerGel::judge(const cv::Mat1b& picture, double time_s) {
         m_faults.lightJumped = std::abs(level - m_usualLevel) > kLightJump * std::max(16.0, m_usualLevel);
         m_usualLevel = m_faults.lightJumped ? level : std::lerp(m_usualLevel, level, kLightFollows);
     }
-    const double lost = static_cast<double>(m_markers.size() - m_found) / static_cast<double>(m_markers.size());
+    const double lost =
+        static_cast<double>(m_markers.size() - m_found) / static_cast<double>(m_markers.size());
     if (lost <= kTornShare || m_faults.dead)
         m_lostSince_s = std::numeric_limits<double>::quiet_NaN();
     else if (std::isnan(m_lostSince_s))

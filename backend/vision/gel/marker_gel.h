@@ -33,9 +33,9 @@ struct GelMotion {
 
 /// What is wrong with a picture or the gel.
 struct GelFaults {
-    bool dead = false;       ///< a picture without any contrast, black or white
+    bool dead = false;        ///< a picture without any contrast, black or white
     bool lightJumped = false; ///< brighter or darker by a quarter than the last pictures
-    bool torn = false;       ///< more than 30 % of the markers lost for 1 s
+    bool torn = false;        ///< more than 30 % of the markers lost for 1 s
 };
 
 /// Follows the markers of a flat gel through the pictures of a camera. Places at rest are the median of the

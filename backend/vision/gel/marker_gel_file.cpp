@@ -91,7 +91,8 @@ void MarkerGelFile::describeKeys(core::Keys& keys) {
     keys.number("diameter_px", diameter_px, core::NumberRange::between(0.0, 1000.0),
                 "Diameter of a marker; 0: found from the picture", core::Need::optional);
     if (diameter_px > 0.0 && diameter_px < 2.0)
-        keys.refuse("diameter_px", GelFileText::tr("such small markers cannot be told from noise").toStdString(),
+        keys.refuse("diameter_px",
+                    GelFileText::tr("such small markers cannot be told from noise").toStdString(),
                     GelFileText::tr("at least 2 px, or 0").toStdString());
     keys.choose("grid", static_cast<std::size_t>(grid), {"rectangular", "hexagonal", "free"},
                 "How the markers are arranged", core::Need::required,
@@ -103,9 +104,7 @@ void MarkerGelFile::describeKeys(core::Keys& keys) {
                     inner.whole("columns", columns, {2, 1000}, "Markers in a row, along u");
                 });
     keys.table("plane", "From the picture to the gel's surface: one of mm_per_px, homography and pitch_mm",
-               core::Need::required, [this](core::Keys& inner) {
-                   describePlane(inner, plane);
-               });
+               core::Need::required, [this](core::Keys& inner) { describePlane(inner, plane); });
     keys.table("lens", lens, "The lens, in pixels of the cropped picture",
                [](core::Keys& inner, Lens& value) { describeLens(inner, value); });
 }
@@ -117,7 +116,8 @@ core::Expected<MarkerGelFile> withScale(MarkerGelFile gel, const std::string& fi
     if (gel.plane.mmPerPx || gel.plane.pitch_mm || gel.plane.homography.size() == 9)
         return gel;
     return core::Unexpected(
-        core::Error{core::ErrorKind::badInput, GelFileText::tr("[plane] gives no scale").toStdString(),
+        core::Error{core::ErrorKind::badInput,
+                    GelFileText::tr("[plane] gives no scale").toStdString(),
                     GelFileText::tr("one of mm_per_px, homography and pitch_mm").toStdString(),
                     {file, 0, 0}});
 }

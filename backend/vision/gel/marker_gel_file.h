@@ -18,9 +18,10 @@ enum class MarkerGrid { rectangular, hexagonal, free };
 /// A flat gel with markers, watched by a camera, as a TOML file of kind = "marker_gel" describes it.
 struct MarkerGelFile {
     std::string name = "gel";
-    std::string source;       ///< as of a camera: its number, a video or a pattern of images; empty: none
-    std::vector<double> crop; ///< x, y, width, height in whole pixels of the camera's picture; empty: all of it
-    bool flipX = false;       ///< left and right are exchanged, after the crop
+    std::string source; ///< as of a camera: its number, a video or a pattern of images; empty: none
+    std::vector<double>
+        crop;           ///< x, y, width, height in whole pixels of the camera's picture; empty: all of it
+    bool flipX = false; ///< left and right are exchanged, after the crop
     bool flipY = false;
     double rate_Hz = 0.0; ///< asked of a camera; 0: its own
     GelChannel channel = GelChannel::grey;

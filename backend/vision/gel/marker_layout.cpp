@@ -3,13 +3,14 @@
 
 #include "backend/core/quantile.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <queue>
 #include <utility>
 
 namespace teleta::vision {
@@ -29,9 +30,8 @@ std::vector<double> nearestOfEach(std::span<const Eigen::Vector2d> places, std::
             if (k != i)
                 distances.push_back((places[k] - places[i]).norm());
         }
-        nearest.push_back(distances.empty()
-                              ? 0.0
-                              : core::orderStatistic(distances, std::min(rank, distances.size() - 1)));
+        nearest.push_back(
+            distances.empty() ? 0.0 : core::orderStatistic(distances, std::min(rank, distances.size() - 1)));
     }
     return nearest;
 }
@@ -217,7 +217,8 @@ std::vector<GridPlace> gridPlaces(std::span<const Eigen::Vector2d> places_px, Ma
     std::ptrdiff_t most = 0;
     for (std::size_t s = 0; s < std::min(kSeeds, seeds.size()); ++s) {
         Numbers candidate = numbered(places_px, *steps, seeds[s]);
-        const auto count = std::ranges::count_if(candidate, [](const auto& number) { return number.has_value(); });
+        const auto count =
+            std::ranges::count_if(candidate, [](const auto& number) { return number.has_value(); });
         if (count > most) {
             most = count;
             numbers = std::move(candidate);
@@ -225,9 +226,7 @@ std::vector<GridPlace> gridPlaces(std::span<const Eigen::Vector2d> places_px, Ma
     }
     int leftmost = std::numeric_limits<int>::max(), top = leftmost, right = -leftmost, bottom = -leftmost;
     // Twice the place along a row, so that half steps are whole.
-    const int lean = grid != MarkerGrid::hexagonal                ? 0
-                     : steps->down.dot(steps->along) >= 0.0 ? 1
-                                                            : -1;
+    const int lean = grid != MarkerGrid::hexagonal ? 0 : steps->down.dot(steps->along) >= 0.0 ? 1 : -1;
     const auto twiceAlong = [&](const std::pair<int, int>& number) {
         return 2 * number.first + lean * number.second;
     };
@@ -248,9 +247,11 @@ std::vector<GridPlace> gridPlaces(std::span<const Eigen::Vector2d> places_px, Ma
         const int lastTop = std::max(firstTop, bottom - rows + 1);
         for (int j = firstTop; j <= lastTop; ++j) {
             for (int i = firstLeft; i <= lastLeft; ++i) {
-                const auto count = static_cast<std::size_t>(std::ranges::count_if(numbers, [&](const auto& n) {
-                    return n && n->first >= i && n->first < i + columns && n->second >= j && n->second < j + rows;
-                }));
+                const auto count =
+                    static_cast<std::size_t>(std::ranges::count_if(numbers, [&](const auto& n) {
+                        return n && n->first >= i && n->first < i + columns && n->second >= j &&
+                               n->second < j + rows;
+                    }));
                 if (count > best) {
                     best = count;
                     leftmost = 2 * i;
@@ -262,9 +263,11 @@ std::vector<GridPlace> gridPlaces(std::span<const Eigen::Vector2d> places_px, Ma
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         if (!numbers[k])
             continue;
-        const GridPlace place{.row = numbers[k]->second - top, .column = (twiceAlong(*numbers[k]) - leftmost) / 2};
-        const bool isOutside = grid == MarkerGrid::rectangular && (place.row < 0 || place.row >= rows ||
-                                                                   place.column < 0 || place.column >= columns);
+        const GridPlace place{.row = numbers[k]->second - top,
+                              .column = (twiceAlong(*numbers[k]) - leftmost) / 2};
+        const bool isOutside =
+            grid == MarkerGrid::rectangular &&
+            (place.row < 0 || place.row >= rows || place.column < 0 || place.column >= columns);
         if (!isOutside)
             result[k] = place;
     }

@@ -11,8 +11,9 @@
 namespace teleta::vision {
 
 /// Columns of followed markers in CSV files.
-inline constexpr std::array<std::string_view, 12> kMarkerColumns{
-    "frame", "time_s", "marker", "row", "column", "rest_u_px", "rest_v_px", "u_px", "v_px", "dx_m", "dy_m", "found"};
+inline constexpr std::array<std::string_view, 12> kMarkerColumns{"frame",  "time_s",    "marker",    "row",
+                                                                 "column", "rest_u_px", "rest_v_px", "u_px",
+                                                                 "v_px",   "dx_m",      "dy_m",      "found"};
 
 /// Writes all markers of a picture. Rows: a type with the members of core::CsvWriter. A lost marker has no
 /// place, and one of a free layout no row and column: NA.

@@ -83,7 +83,8 @@ void MarkerTracker::sortSpots(const cv::Mat1b& picture) {
     m_squaresAcross = static_cast<int>(picture.cols / m_pitch_px) + 1;
     m_squaresDown = static_cast<int>(picture.rows / m_pitch_px) + 1;
     const auto squareOf = [&](const MarkerSpot& spot) {
-        const int across = std::clamp(static_cast<int>(spot.place_px.x() / m_pitch_px), 0, m_squaresAcross - 1);
+        const int across =
+            std::clamp(static_cast<int>(spot.place_px.x() / m_pitch_px), 0, m_squaresAcross - 1);
         const int down = std::clamp(static_cast<int>(spot.place_px.y() / m_pitch_px), 0, m_squaresDown - 1);
         return static_cast<std::size_t>(down * m_squaresAcross + across);
     };
@@ -164,7 +165,8 @@ double MarkerTracker::disagreement(Guess guess, const std::vector<std::size_t>& 
         }
         if (count == 0)
             continue;
-        const Eigen::Vector2d apart = moved(i) - Eigen::Vector2d(medianOfFew(u, count), medianOfFew(v, count));
+        const Eigen::Vector2d apart =
+            moved(i) - Eigen::Vector2d(medianOfFew(u, count), medianOfFew(v, count));
         sum += std::min(kMisled, apart.norm() / m_states[i].pitch_px);
     }
     return sum;
@@ -345,9 +347,9 @@ void MarkerTracker::refine(const cv::Mat1b& picture) {
         TrackedMarker& marker = m_markers[i];
         if (!marker.found)
             continue;
-        const auto centre = m_detector.centre(picture, marker.now_px,
-                                              std::max(kFaintest, kLeastShare * m_states[i].contrast),
-                                              kMostShare * m_states[i].contrast);
+        const auto centre =
+            m_detector.centre(picture, marker.now_px, std::max(kFaintest, kLeastShare * m_states[i].contrast),
+                              kMostShare * m_states[i].contrast);
         const double diameter_px = centre ? centre->diameter_px / m_states[i].diameter_px : 0.0;
         if (!centre || diameter_px * diameter_px < kLeastArea || diameter_px * diameter_px > kMostArea) {
             release(i);

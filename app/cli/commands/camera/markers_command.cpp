@@ -64,10 +64,10 @@ public:
         if (m_summaryOnly && !m_output.outPath.empty())
             refuse("--summary", MarkersText::tr("a summary is printed; --out writes the table"));
         TELETA_TRY(const vision::MarkerGelFile file, vision::readMarkerGel(m_sensorPath));
-        TELETA_TRY(camera::VideoStream stream,
-                   camera::VideoStream::open(
-                       m_video, {.rate_Hz = file.rate_Hz,
-                                 .channel = static_cast<camera::VideoChannel>(file.channel)}));
+        TELETA_TRY(
+            camera::VideoStream stream,
+            camera::VideoStream::open(m_video, {.rate_Hz = file.rate_Hz,
+                                                .channel = static_cast<camera::VideoChannel>(file.channel)}));
         std::vector<cv::Mat1b> first;
         std::vector<Frame> waiting;
         TELETA_CHECK(readFirst(stream, file, first, waiting));
@@ -203,14 +203,17 @@ private:
             if (at_s)
                 warn(text.arg(forPeople(*at_s)));
         };
-        tell(m_summary.firstDead_s, MarkersText::tr("The picture has no contrast at %1 s: is the camera covered?"));
+        tell(m_summary.firstDead_s,
+             MarkersText::tr("The picture has no contrast at %1 s: is the camera covered?"));
         tell(m_summary.firstJump_s, MarkersText::tr("The light jumps at %1 s"));
         tell(m_summary.firstTorn_s,
-             MarkersText::tr("At %1 s more than 30 % of the markers have been lost for 1 s: is the gel torn?"));
+             MarkersText::tr(
+                 "At %1 s more than 30 % of the markers have been lost for 1 s: is the gel torn?"));
         if (m_summary.unusable > 0)
             warn(MarkersText::tr("Frames that cannot be decoded: %1").arg(m_summary.unusable));
         if (stream.framesSkipped() > 0)
-            warn(MarkersText::tr("Frames missing according to their time stamps: %1").arg(stream.framesSkipped()));
+            warn(MarkersText::tr("Frames missing according to their time stamps: %1")
+                     .arg(stream.framesSkipped()));
     }
 
     [[nodiscard]] core::Expected<void> print(const vision::MarkerGel& gel) const {
@@ -236,7 +239,8 @@ private:
             {MarkersText::tr("markers"), QString::number(gel.markers().size())},
             {MarkersText::tr("found"), MarkersText::tr("%1 %").arg(forPeople(100.0 * found))},
             {MarkersText::tr("diameter"), MarkersText::tr("%1 px").arg(forPeople(gel.diameter_px()))},
-            {MarkersText::tr("distance of neighbours"), MarkersText::tr("%1 px").arg(forPeople(gel.pitch_px()))},
+            {MarkersText::tr("distance of neighbours"),
+             MarkersText::tr("%1 px").arg(forPeople(gel.pitch_px()))},
             {MarkersText::tr("frames for the places at rest"), QString::number(gel.referencePictures())},
             {MarkersText::tr("noise of a place"), MarkersText::tr("%1 px").arg(forPeople(gel.noise_px()))},
             {MarkersText::tr("largest displacement"),
@@ -256,7 +260,8 @@ private:
 } // namespace
 
 Command markersCommand() {
-    return makeCommand<MarkersCommand>("markers", MarkersText::tr("Follow the markers of a flat gel in a video"),
+    return makeCommand<MarkersCommand>("markers",
+                                       MarkersText::tr("Follow the markers of a flat gel in a video"),
                                        "teleta markers press.avi --sensor gel.toml --out markers.csv");
 }
 
