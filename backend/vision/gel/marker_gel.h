@@ -19,7 +19,7 @@ namespace teleta::vision {
 
 /// A marker of a gel: who it is.
 struct GelMarker {
-    GridPlace grid; ///< without a row in a free layout
+    GridPlace grid{}; ///< without a row in a free layout
     Eigen::Vector2d rest_px = Eigen::Vector2d::Zero();
     Eigen::Vector2d rest_m = Eigen::Vector2d::Zero(); ///< on the gel's surface
 };

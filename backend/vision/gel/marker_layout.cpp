@@ -44,9 +44,13 @@ struct Steps {
 template <typename Accept>
 std::optional<Eigen::Vector2d> commonStep(const std::vector<Eigen::Vector2d>& steps, double reach_px,
                                           Accept accept) {
+    // Of thousands some are as good as all.
+    constexpr std::size_t kCandidates = 1000;
+    const std::size_t stride = 1 + steps.size() / kCandidates;
     std::size_t most = 0;
     std::optional<Eigen::Vector2d> best;
-    for (const Eigen::Vector2d& candidate : steps) {
+    for (std::size_t i = 0; i < steps.size(); i += stride) {
+        const Eigen::Vector2d& candidate = steps[i];
         if (!accept(candidate))
             continue;
         std::size_t count = 0;

@@ -6,6 +6,7 @@
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/camera/camera_commands.h"
 #include "backend/core/failure.h"
+#include "backend/vision/gel/gel_contacts.h"
 #include "backend/vision/gel/marker_gel.h"
 #include "backend/vision/gel/marker_gel_file.h"
 #include "backend/vision/gel/marker_rows.h"
@@ -32,13 +33,22 @@ struct MarkersText {
 
 constexpr double kMmPerM = 1000.0;
 
+/// One contact over all its frames.
+struct ContactSummary {
+    double begin_s = 0.0, end_s = 0.0;
+    vision::GelContactState largest; ///< where its markers moved furthest
+    double moved_m = 0.0;
+    std::optional<double> slipIndex; ///< the largest
+    std::optional<double> incipientSlip_s, slip_s;
+};
+
 /// What one video shows, in the end.
 struct MarkerSummary {
     long long frames = 0;
     long long unusable = 0; ///< frames that could not be decoded
     long long lost = 0;     ///< markers, over all frames
     double largest_m = 0.0;
-    long long dead = 0;
+    std::vector<ContactSummary> contacts;
     std::optional<double> firstJump_s, firstTorn_s, firstDead_s;
 };
 
@@ -95,6 +105,8 @@ public:
             if (auto tracked = gel.track(frame.picture, frame.time_s); !tracked)
                 return inVideo(tracked.error());
             add(gel, frame.time_s);
+            if (m_summaryOnly)
+                addContacts(gel, frame.time_s);
             if (rows) {
                 vision::writeMarkers(*rows, frame.number, frame.time_s, gel);
                 rows->flushIfDue();
@@ -198,6 +210,32 @@ private:
         keepFirst(gel.faults().torn, m_summary.firstTorn_s);
     }
 
+    void addContacts(const vision::MarkerGel& gel, double time_s) {
+        for (const vision::GelContactState& contact : m_contacts.next(gel)) {
+            const auto number = static_cast<std::size_t>(contact.id);
+            if (number > m_summary.contacts.size()) {
+                m_summary.contacts.resize(number);
+                m_summary.contacts.back().begin_s = time_s;
+            }
+            ContactSummary& all = m_summary.contacts[number - 1];
+            all.end_s = time_s;
+            double moved_m = 0.0;
+            for (const std::size_t i : contact.markers)
+                if (gel.motions()[i].found)
+                    moved_m = std::max(moved_m, gel.motions()[i].displacement_m.norm());
+            if (moved_m > all.moved_m) {
+                all.moved_m = moved_m;
+                all.largest = contact;
+            }
+            if (contact.slipIndex)
+                all.slipIndex = std::max(all.slipIndex.value_or(0.0), *contact.slipIndex);
+            if (contact.event == vision::SlipEvent::incipientSlip && !all.incipientSlip_s)
+                all.incipientSlip_s = time_s;
+            if (contact.event == vision::SlipEvent::slip && !all.slip_s)
+                all.slip_s = time_s;
+        }
+    }
+
     void tellFaults(const camera::VideoStream& stream) const {
         const auto tell = [](const std::optional<double>& at_s, const QString& text) {
             if (at_s)
@@ -232,6 +270,23 @@ private:
             document["dead_at_s"] = orNull(m_summary.firstDead_s);
             document["light_jump_at_s"] = orNull(m_summary.firstJump_s);
             document["torn_at_s"] = orNull(m_summary.firstTorn_s);
+            document["contacts"] = nlohmann::ordered_json::array();
+            for (const ContactSummary& contact : m_summary.contacts) {
+                nlohmann::ordered_json entry;
+                entry["begin_s"] = contact.begin_s;
+                entry["end_s"] = contact.end_s;
+                entry["centre_x_m"] = contact.largest.centre_m.x();
+                entry["centre_y_m"] = contact.largest.centre_m.y();
+                entry["area_m2"] = contact.largest.area_m2;
+                entry["normal_proxy_m2"] = contact.largest.normalProxy_m2;
+                entry["shear_proxy_x_m"] = contact.largest.shearProxy_m.x();
+                entry["shear_proxy_y_m"] = contact.largest.shearProxy_m.y();
+                entry["torsion_rad"] = contact.largest.torsion_rad;
+                entry["slip_index"] = orNull(contact.slipIndex);
+                entry["incipient_slip_at_s"] = orNull(contact.incipientSlip_s);
+                entry["slip_at_s"] = orNull(contact.slip_s);
+                document["contacts"].push_back(std::move(entry));
+            }
             return printDocument(document);
         }
         return printFields({
@@ -245,6 +300,7 @@ private:
             {MarkersText::tr("noise of a place"), MarkersText::tr("%1 px").arg(forPeople(gel.noise_px()))},
             {MarkersText::tr("largest displacement"),
              MarkersText::tr("%1 mm").arg(forPeople(kMmPerM * m_summary.largest_m))},
+            {MarkersText::tr("contacts"), QString::number(m_summary.contacts.size())},
         });
     }
 
@@ -253,6 +309,7 @@ private:
     bool m_summaryOnly = false;
     RowOptions m_output;
     MarkerSummary m_summary;
+    vision::GelContacts m_contacts;
     long long m_next = 0;
     bool m_gone = false;
 };

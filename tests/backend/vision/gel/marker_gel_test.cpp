@@ -4,9 +4,9 @@
 #include "backend/vision/gel/marker_gel.h"
 #include "tests/backend/vision/gel/simulated_motion.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <numbers>
 
 namespace teleta::vision {
