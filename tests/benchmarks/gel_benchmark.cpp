@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Markers of a flat gel, followed from frame to frame, against OpenCV's pyramid of Lucas and Kanade (windows of
-// 15 pixels, 3 levels) on the same drawn frames, both on one core. Ours also finds each marker again, keeps
-// identities and makes contacts; Lucas-Kanade only moves places on. Counters: distance from the true places
-// (root of the mean square along an axis, in px) and time of a frame in ms.
+// Markers of a flat gel, followed from frame to frame, against OpenCV's pyramid of Lucas and Kanade (windows
+// of 15 pixels, 3 levels) on the same drawn frames, both on one core. Ours also finds each marker again,
+// keeps identities and makes contacts; Lucas-Kanade only moves places on. Counters: distance from the true
+// places (root of the mean square along an axis, in px) and time of a frame in ms.
 #include "backend/simulation/camera/gel/gel_field.h"
 #include "backend/simulation/camera/gel/gel_renderer.h"
 #include "backend/vision/gel/gel_contacts.h"
@@ -32,7 +32,8 @@ struct Frames {
 
 /// A ball drags the gel to and fro.
 Frames drawn(const simulation::SimulatedGel& gel) {
-    Frames frames{.gel = gel};
+    Frames frames;
+    frames.gel = gel;
     simulation::GelRenderer renderer(gel);
     for (std::size_t i = 0; i < vision::MarkerGel::kReferencePictures; ++i)
         renderer.draw(renderer.rest_px(), frames.still.emplace_back());
@@ -54,7 +55,11 @@ Frames drawn(const simulation::SimulatedGel& gel) {
 
 const Frames& framesOf(bool large) {
     static const Frames small = drawn({});
-    static const Frames big = drawn({.width_px = 640, .height_px = 480, .rows = 10, .columns = 13, .pitch_px = 45.0,
+    static const Frames big = drawn({.width_px = 640,
+                                     .height_px = 480,
+                                     .rows = 10,
+                                     .columns = 13,
+                                     .pitch_px = 45.0,
                                      .diameter_px = 12.0});
     return large ? big : small;
 }
@@ -83,8 +88,6 @@ private:
 
 void report(benchmark::State& state, const Error& error) {
     state.counters["error_px"] = error.px();
-    state.counters["frame_ms"] = benchmark::Counter(1e-3 * static_cast<double>(state.iterations()),
-                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void followMarkers(benchmark::State& state, bool large, bool contacts) {
@@ -126,8 +129,8 @@ void lucasKanade(benchmark::State& state, bool large) {
     Error error;
     std::size_t i = 1;
     for (auto _ : state) {
-        cv::calcOpticalFlowPyrLK(frames.moved[(i + kFrames - 1) % kFrames], frames.moved[i], points, next, status,
-                                 residual, {15, 15}, 2);
+        cv::calcOpticalFlowPyrLK(frames.moved[(i + kFrames - 1) % kFrames], frames.moved[i], points, next,
+                                 status, residual, {15, 15}, 2);
         for (std::size_t k = 0; k < next.size(); ++k)
             error.add(Eigen::Vector2d(static_cast<double>(next[k].x), static_cast<double>(next[k].y)) -
                       frames.places_px[i][k]);

@@ -190,9 +190,10 @@ void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Foll
     const bool changed = followed.loaded.empty() || std::abs(load_m2 - followed.load_m2) >
                                                         std::max(kLoadChanges * std::abs(followed.load_m2),
                                                                  noiseOf(followed.loaded.size()));
-    if (changed) {
-        // The motion counts from here. Where the load is: a disc about the centre with the spread's mean square
-        // radius, since shear adds to the divergence on one side and takes from it on the other.
+    // A load that falls leaves the contact where it was, and its spread becomes too small to tell.
+    if (changed && (followed.loaded.empty() || load_m2 > followed.most_m2)) {
+        // Where the load is: a disc about the centre with the spread's mean square radius, since shear adds
+        // to the divergence on one side and takes from it on the other.
         double most = 0.0;
         for (const std::size_t i : contact.markers)
             most = std::max(most, m_strains[i].known ? m_strains[i].divergence : 0.0);
@@ -208,10 +209,12 @@ void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Foll
             shares += m_strains[i].divergence;
         }
         followed.loaded.clear();
-        // The fit over the neighbours smears the spread by one pitch. 2: from the mean square of a disc's radius to
-        // that of its border.
+        // The fit over the neighbours adds a pitch to the root of the mean square. A disc's border lies at 2
+        // of its mean square where the skin spreads evenly, at 3 where the spread falls to the border as a
+        // paraboloid.
         const double reach_m2 =
-            shares > 0.0 ? std::max(1.5 * pitch_m * pitch_m, 2.0 * (squares / shares - pitch_m * pitch_m)) : 0.0;
+            shares > 0.0 ? std::max(1.5 * pitch_m * pitch_m, 2.5 * (squares / shares - pitch_m * pitch_m))
+                         : 0.0;
         for (std::size_t i = 0; i < motions.size(); ++i) {
             if (motions[i].found && m_strains[i].known && off_m(i).squaredNorm() <= reach_m2)
                 followed.loaded.push_back(i);
@@ -219,6 +222,10 @@ void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Foll
         if (followed.loaded.size() < kLeastLoaded ||
             loadOn(followed.loaded) < noiseOf(followed.loaded.size()))
             followed.loaded = contact.markers;
+        followed.most_m2 = loadOn(followed.loaded);
+    }
+    if (changed) {
+        // The motion counts from here.
         followed.load_m2 = loadOn(followed.loaded);
         followed.start_m.clear();
         for (const std::size_t i : followed.loaded)

@@ -45,6 +45,7 @@ private:
         SlipMonitor monitor;
         double load_m2 =
             0.0; ///< sum of the divergence over the loaded markers when the motion was last counted anew
+        double most_m2 = 0.0; ///< the largest of these sums, at which `loaded` was found
         std::vector<std::size_t> loaded;
         std::vector<Eigen::Vector2d> start_m; ///< displacement of each loaded marker then
     };

@@ -65,24 +65,23 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
     double largest_m = 0.0;
     for (const ContactPlace& place : places)
         largest_m = std::max(largest_m, place.moved_m.norm());
-    const auto agrees = [&](const Rigid& rigid, std::size_t i, double tolerance_m) {
+    const double tolerance_m = kNoises * noise_m + kShareOfMotion * largest_m;
+    const auto agrees = [&](const Rigid& rigid, std::size_t i) {
         return (rigid.at(places[i].rest_m) - places[i].rest_m - places[i].moved_m).norm() <= tolerance_m;
     };
-    // What sticks moves as one to the noise; what slips lags behind by different ways.
-    const double alike_m = kNoises * noise_m;
     const auto agreeing = [&](const Rigid& rigid) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < places.size(); ++i)
-            count += agrees(rigid, i, alike_m) ? 1 : 0;
+            count += agrees(rigid, i) ? 1 : 0;
         return count;
     };
     const std::size_t pairs = places.size() * (places.size() - 1) / 2;
     const std::size_t stride = (pairs + kMostProposals - 1) / kMostProposals;
     Rigid best;
     std::size_t most = 0;
-    // What slips lags behind, so of proposals on which about as many agree the one that moves furthest
-    // counts.
-    constexpr double kAboutAsMany = 0.7;
+    // What slips lags behind. Where less than half of the places stick, a slice of those that slip may agree
+    // as well; it is as thick on both sides of its middle, so that half as many are enough for the foremost.
+    constexpr double kForemost = 0.45;
     double furthest_m = -1.0;
     for (const bool counting : {true, false}) {
         std::size_t number = 0;
@@ -97,7 +96,8 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
                     continue;
                 }
                 const double moved_m = (rigid.now - rigid.rest).norm();
-                if (static_cast<double>(count) >= kAboutAsMany * static_cast<double>(most) &&
+                const double enough = 2 * most >= places.size() ? 1.0 : kForemost;
+                if (static_cast<double>(count) >= enough * static_cast<double>(most) &&
                     moved_m > furthest_m) {
                     furthest_m = moved_m;
                     best = rigid;
@@ -107,12 +107,12 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
     }
     if (most < 2)
         return std::nullopt;
-    const Rigid fitted = rigidOf(places, [&](std::size_t n) { return agrees(best, n, alike_m); });
+    const Rigid fitted = rigidOf(places, [&](std::size_t n) { return agrees(best, n); });
     if (agreeing(fitted) >= agreeing(best))
         best = fitted;
     SharedMotion shared{.translation_m = best.now - best.rest, .turn_rad = best.turn_rad};
     for (std::size_t i = 0; i < places.size(); ++i) {
-        shared.sticks.push_back(agrees(best, i, alike_m + kShareOfMotion * largest_m));
+        shared.sticks.push_back(agrees(best, i));
         shared.sticking += shared.sticks.back() ? 1 : 0;
     }
     return shared;

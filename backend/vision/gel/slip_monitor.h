@@ -24,10 +24,11 @@ struct SharedMotion {
     std::size_t sticking = 0;
 };
 
-/// The rigid motion on which most places agree within 3 noise_m: each pair proposes one; the best is fitted
-/// to those that agree with it. A place sticks while its residual is within 3 noise_m + 5 % of the largest
-/// motion. Nothing for fewer than five places: what sticks cannot be told from what slips. Thread: any
-/// (pure).
+/// The rigid motion of the places that stick: each pair of places proposes one, and that with which most
+/// places agree counts. Where fewer than half of them agree, it is the one that moves furthest of those with
+/// at least 45 % as many, since what slips lags behind. It is fitted to the places that agree. A place
+/// agrees, and sticks, while its residual is within 3 noise_m + 5 % of the largest motion. Nothing for fewer
+/// than five places: what sticks cannot be told from what slips. Thread: any (pure).
 [[nodiscard]] std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, double noise_m);
 
 enum class SlipEvent { none, incipientSlip, slip };
