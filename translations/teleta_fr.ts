@@ -4449,6 +4449,25 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>GelPlane</name>
+    <message>
+        <source>The lens in the file folds within the picture.</source>
+        <translation>L’objectif décrit dans le fichier se replie dans l’image.</translation>
+    </message>
+    <message>
+        <source>a lens that shows each place once</source>
+        <translation>un objectif qui montre chaque point une seule fois</translation>
+    </message>
+    <message>
+        <source>The homography sends pixels of the picture to infinity.</source>
+        <translation>L’homographie envoie des pixels de l’image à l’infini.</translation>
+    </message>
+    <message>
+        <source>a matrix that maps the picture onto a plane</source>
+        <translation>une matrice qui projette l’image sur un plan</translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5252,6 +5271,219 @@ Exemples&#xa0;:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>Points du cylindre tactile que montrent des pixels de sa caméra</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerGel</name>
+    <message>
+        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
+        <translation>Le recadrage dépasse l’image de %1 x %2 pixels.</translation>
+    </message>
+    <message>
+        <source>x + width and y + height within the picture</source>
+        <translation>x + largeur et y + hauteur dans l’image</translation>
+    </message>
+    <message>
+        <source>The picture is black.</source>
+        <translation>L’image est noire.</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast.</source>
+        <translation>L’image n’a pas de contraste.</translation>
+    </message>
+    <message>
+        <source>a picture of the gel&apos;s markers</source>
+        <translation>une image des marqueurs du gel</translation>
+    </message>
+    <message>
+        <source>The picture shows no markers: %1 were found.</source>
+        <translation>L’image ne montre pas de marqueurs&#xa0;: %1 ont été trouvés.</translation>
+    </message>
+    <message>
+        <source>at least %1 round %2 spots of one size</source>
+        <translation>au moins %1 taches rondes, %2 et de même taille</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>claires</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>sombres</translation>
+    </message>
+    <message>
+        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
+        <translation>L’image ne montre pas de grille de %1 x %2 marqueurs&#xa0;: %3 taches, dont %4 en grille.</translation>
+    </message>
+    <message>
+        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
+        <translation>Les marqueurs ne forment pas de grille hexagonale&#xa0;: seules %1 taches sur %2.</translation>
+    </message>
+    <message>
+        <source>the grid that the sensor&apos;s file names</source>
+        <translation>la grille que nomme le fichier du capteur</translation>
+    </message>
+    <message>
+        <source>The size of the picture has changed to %1 x %2.</source>
+        <translation>La taille de l’image est passée à %1 x %2.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels, as at the beginning</source>
+        <translation>%1 x %2 pixels, comme au début</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerGelFile</name>
+    <message>
+        <source>the plane is described twice</source>
+        <translation>le plan est décrit deux fois</translation>
+    </message>
+    <message>
+        <source>one of mm_per_px, homography and pitch_mm</source>
+        <translation>un seul de mm_per_px, homography et pitch_mm</translation>
+    </message>
+    <message>
+        <source>the matrix has no inverse</source>
+        <translation>la matrice n’a pas d’inverse</translation>
+    </message>
+    <message>
+        <source>a matrix that maps the picture onto a plane</source>
+        <translation>une matrice qui projette l’image sur un plan</translation>
+    </message>
+    <message>
+        <source>a part of a pixel cannot be cut off</source>
+        <translation>une partie de pixel ne peut pas être coupée</translation>
+    </message>
+    <message>
+        <source>whole numbers</source>
+        <translation>des nombres entiers</translation>
+    </message>
+    <message>
+        <source>the picture would be too small</source>
+        <translation>l’image serait trop petite</translation>
+    </message>
+    <message>
+        <source>at least 16 x 16 pixels</source>
+        <translation>au moins 16 x 16 pixels</translation>
+    </message>
+    <message>
+        <source>such small markers cannot be told from noise</source>
+        <translation>de si petits marqueurs ne se distinguent pas du bruit</translation>
+    </message>
+    <message>
+        <source>at least 2 px, or 0</source>
+        <translation>au moins 2 px, ou 0</translation>
+    </message>
+    <message>
+        <source>[plane] gives no scale</source>
+        <translation>[plane] ne donne pas d’échelle</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersCommand</name>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
+        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images</translation>
+    </message>
+    <message>
+        <source>Sensor file of kind &quot;marker_gel&quot;</source>
+        <translation>Fichier du capteur, de kind «&#xa0;marker_gel&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Print what was found in all, without the table</source>
+        <translation>Afficher un bilan, sans le tableau</translation>
+    </message>
+    <message>
+        <source>a summary is printed; --out writes the table</source>
+        <translation>un bilan est affiché&#xa0;; --out écrit le tableau</translation>
+    </message>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>la caméra n’envoie plus d’images</translation>
+    </message>
+    <message>
+        <source>the video has no frame that can be decoded</source>
+        <translation>la vidéo n’a aucune image décodable</translation>
+    </message>
+    <message>
+        <source>the video has only one frame, so nothing moves in it</source>
+        <translation>la vidéo n’a qu’une image, donc rien n’y bouge</translation>
+    </message>
+    <message>
+        <source>at least two frames</source>
+        <translation>au moins deux images</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast at %1 s: is the camera covered?</source>
+        <translation>L’image n’a pas de contraste à %1 s&#xa0;: la caméra est-elle couverte&#xa0;?</translation>
+    </message>
+    <message>
+        <source>The light jumps at %1 s</source>
+        <translation>La lumière saute à %1 s</translation>
+    </message>
+    <message>
+        <source>At %1 s more than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>À %1 s, plus de 30&#xa0;% des marqueurs sont perdus depuis 1 s&#xa0;: le gel est-il déchiré&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Frames that cannot be decoded: %1</source>
+        <translation>Images indécodables&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Frames missing according to their time stamps: %1</source>
+        <translation>Images manquantes d’après leurs horodatages&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>marqueurs</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trouvés</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diamètre</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>distance of neighbours</source>
+        <translation>distance des voisins</translation>
+    </message>
+    <message>
+        <source>frames for the places at rest</source>
+        <translation>images pour les positions de repos</translation>
+    </message>
+    <message>
+        <source>noise of a place</source>
+        <translation>bruit d’une position</translation>
+    </message>
+    <message>
+        <source>largest displacement</source>
+        <translation>plus grand déplacement</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>contacts</translation>
+    </message>
+    <message>
+        <source>Follow the markers of a flat gel in a video</source>
+        <translation>Suivre les marqueurs d’un gel plat dans une vidéo</translation>
     </message>
 </context>
 <context>

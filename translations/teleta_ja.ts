@@ -4438,6 +4438,25 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelPlane</name>
+    <message>
+        <source>The lens in the file folds within the picture.</source>
+        <translation>ファイルのレンズは画像の中で折り返します。</translation>
+    </message>
+    <message>
+        <source>a lens that shows each place once</source>
+        <translation>各点を一度だけ写すレンズ</translation>
+    </message>
+    <message>
+        <source>The homography sends pixels of the picture to infinity.</source>
+        <translation>ホモグラフィーが画像の画素を無限遠に写します。</translation>
+    </message>
+    <message>
+        <source>a matrix that maps the picture onto a plane</source>
+        <translation>画像を平面に写す行列</translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5237,6 +5256,219 @@ Examples:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>カメラの画素に写る触覚円筒上の点</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerGel</name>
+    <message>
+        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
+        <translation>切り抜きが %1 x %2 画素の画像からはみ出します。</translation>
+    </message>
+    <message>
+        <source>x + width and y + height within the picture</source>
+        <translation>x + 幅と y + 高さが画像の中</translation>
+    </message>
+    <message>
+        <source>The picture is black.</source>
+        <translation>画像が真っ黒です。</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast.</source>
+        <translation>画像にコントラストがありません。</translation>
+    </message>
+    <message>
+        <source>a picture of the gel&apos;s markers</source>
+        <translation>ゲルのマーカーの画像</translation>
+    </message>
+    <message>
+        <source>The picture shows no markers: %1 were found.</source>
+        <translation>画像にマーカーがありません。見つかった数: %1</translation>
+    </message>
+    <message>
+        <source>at least %1 round %2 spots of one size</source>
+        <translation>同じ大きさの丸い%2点が %1 個以上</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>明るい</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>暗い</translation>
+    </message>
+    <message>
+        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
+        <translation>画像に %1 x %2 のマーカーの格子がありません。点 %3 個、うち格子上 %4 個。</translation>
+    </message>
+    <message>
+        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
+        <translation>マーカーが六角格子をなしていません。%2 個の点のうち %1 個です。</translation>
+    </message>
+    <message>
+        <source>the grid that the sensor&apos;s file names</source>
+        <translation>センサーのファイルにある格子</translation>
+    </message>
+    <message>
+        <source>The size of the picture has changed to %1 x %2.</source>
+        <translation>画像の大きさが %1 x %2 に変わりました。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels, as at the beginning</source>
+        <translation>最初と同じ %1 x %2 画素</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerGelFile</name>
+    <message>
+        <source>the plane is described twice</source>
+        <translation>平面が二重に記述されています</translation>
+    </message>
+    <message>
+        <source>one of mm_per_px, homography and pitch_mm</source>
+        <translation>mm_per_px、homography、pitch_mm のいずれか 1 つ</translation>
+    </message>
+    <message>
+        <source>the matrix has no inverse</source>
+        <translation>行列に逆行列がありません</translation>
+    </message>
+    <message>
+        <source>a matrix that maps the picture onto a plane</source>
+        <translation>画像を平面に写す行列</translation>
+    </message>
+    <message>
+        <source>a part of a pixel cannot be cut off</source>
+        <translation>画素の一部は切り取れません</translation>
+    </message>
+    <message>
+        <source>whole numbers</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>the picture would be too small</source>
+        <translation>画像が小さすぎます</translation>
+    </message>
+    <message>
+        <source>at least 16 x 16 pixels</source>
+        <translation>16 x 16 画素以上</translation>
+    </message>
+    <message>
+        <source>such small markers cannot be told from noise</source>
+        <translation>このように小さいマーカーはノイズと区別できません</translation>
+    </message>
+    <message>
+        <source>at least 2 px, or 0</source>
+        <translation>2 px 以上、または 0</translation>
+    </message>
+    <message>
+        <source>[plane] gives no scale</source>
+        <translation>[plane] に縮尺がありません</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersCommand</name>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
+        <translation>動画、番号付き画像のパターン (frame_%04d.png)、またはカメラの番号。最初の数フレームでは何もゲルに触れません</translation>
+    </message>
+    <message>
+        <source>Sensor file of kind &quot;marker_gel&quot;</source>
+        <translation>kind が「marker_gel」のセンサーのファイル</translation>
+    </message>
+    <message>
+        <source>Print what was found in all, without the table</source>
+        <translation>表の代わりに全体の要約を表示する</translation>
+    </message>
+    <message>
+        <source>a summary is printed; --out writes the table</source>
+        <translation>要約は表示されるだけです。--out は表を書き出します</translation>
+    </message>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>カメラがフレームを送らなくなりました</translation>
+    </message>
+    <message>
+        <source>the video has no frame that can be decoded</source>
+        <translation>動画に復号できるフレームがありません</translation>
+    </message>
+    <message>
+        <source>the video has only one frame, so nothing moves in it</source>
+        <translation>動画にフレームが 1 つしかないため、動きがありません</translation>
+    </message>
+    <message>
+        <source>at least two frames</source>
+        <translation>2 フレーム以上</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast at %1 s: is the camera covered?</source>
+        <translation>%1 s で画像にコントラストがありません。カメラが覆われていませんか</translation>
+    </message>
+    <message>
+        <source>The light jumps at %1 s</source>
+        <translation>%1 s で明るさが急に変わります</translation>
+    </message>
+    <message>
+        <source>At %1 s more than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>%1 s で、マーカーの 30 % 以上が 1 s の間見失われています。ゲルが破れていませんか</translation>
+    </message>
+    <message>
+        <source>Frames that cannot be decoded: %1</source>
+        <translation>復号できないフレーム: %1</translation>
+    </message>
+    <message>
+        <source>Frames missing according to their time stamps: %1</source>
+        <translation>タイムスタンプによると欠けているフレーム: %1</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>検出</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>distance of neighbours</source>
+        <translation>隣との間隔</translation>
+    </message>
+    <message>
+        <source>frames for the places at rest</source>
+        <translation>静止位置に使ったフレーム</translation>
+    </message>
+    <message>
+        <source>noise of a place</source>
+        <translation>位置のノイズ</translation>
+    </message>
+    <message>
+        <source>largest displacement</source>
+        <translation>最大の変位</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Follow the markers of a flat gel in a video</source>
+        <translation>動画で平らなゲルのマーカーを追う</translation>
     </message>
 </context>
 <context>

@@ -4438,6 +4438,25 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelPlane</name>
+    <message>
+        <source>The lens in the file folds within the picture.</source>
+        <translation>文件中的镜头在图像内发生折叠。</translation>
+    </message>
+    <message>
+        <source>a lens that shows each place once</source>
+        <translation>每个位置只显示一次的镜头</translation>
+    </message>
+    <message>
+        <source>The homography sends pixels of the picture to infinity.</source>
+        <translation>单应矩阵把图像中的像素映射到无穷远。</translation>
+    </message>
+    <message>
+        <source>a matrix that maps the picture onto a plane</source>
+        <translation>把图像映射到平面的矩阵</translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5237,6 +5256,219 @@ Examples:
     <message>
         <source>Points on the tactile cylinder that belong to pixels of its camera</source>
         <translation>相机像素所对应的触觉圆柱上的点</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerGel</name>
+    <message>
+        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
+        <translation>裁剪超出了 %1 x %2 像素的图像。</translation>
+    </message>
+    <message>
+        <source>x + width and y + height within the picture</source>
+        <translation>x + 宽和 y + 高在图像之内</translation>
+    </message>
+    <message>
+        <source>The picture is black.</source>
+        <translation>图像是黑的。</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast.</source>
+        <translation>图像没有对比度。</translation>
+    </message>
+    <message>
+        <source>a picture of the gel&apos;s markers</source>
+        <translation>凝胶标记的图像</translation>
+    </message>
+    <message>
+        <source>The picture shows no markers: %1 were found.</source>
+        <translation>图像中没有标记：找到 %1 个。</translation>
+    </message>
+    <message>
+        <source>at least %1 round %2 spots of one size</source>
+        <translation>至少 %1 个大小相同的圆形%2点</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>亮</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
+        <translation>图像中没有 %1 x %2 的标记网格：%3 个点，其中 %4 个成网格。</translation>
+    </message>
+    <message>
+        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
+        <translation>标记没有形成六角网格：%2 个点中只有 %1 个。</translation>
+    </message>
+    <message>
+        <source>the grid that the sensor&apos;s file names</source>
+        <translation>传感器文件所述的网格</translation>
+    </message>
+    <message>
+        <source>The size of the picture has changed to %1 x %2.</source>
+        <translation>图像的大小变为 %1 x %2。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels, as at the beginning</source>
+        <translation>与开始时相同的 %1 x %2 像素</translation>
+    </message>
+</context>
+<context>
+    <name>MarkerGelFile</name>
+    <message>
+        <source>the plane is described twice</source>
+        <translation>平面被描述了两次</translation>
+    </message>
+    <message>
+        <source>one of mm_per_px, homography and pitch_mm</source>
+        <translation>mm_per_px、homography 和 pitch_mm 之一</translation>
+    </message>
+    <message>
+        <source>the matrix has no inverse</source>
+        <translation>矩阵不可逆</translation>
+    </message>
+    <message>
+        <source>a matrix that maps the picture onto a plane</source>
+        <translation>把图像映射到平面的矩阵</translation>
+    </message>
+    <message>
+        <source>a part of a pixel cannot be cut off</source>
+        <translation>不能裁去像素的一部分</translation>
+    </message>
+    <message>
+        <source>whole numbers</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>the picture would be too small</source>
+        <translation>图像会太小</translation>
+    </message>
+    <message>
+        <source>at least 16 x 16 pixels</source>
+        <translation>至少 16 x 16 像素</translation>
+    </message>
+    <message>
+        <source>such small markers cannot be told from noise</source>
+        <translation>这么小的标记无法与噪声区分</translation>
+    </message>
+    <message>
+        <source>at least 2 px, or 0</source>
+        <translation>至少 2 px，或 0</translation>
+    </message>
+    <message>
+        <source>[plane] gives no scale</source>
+        <translation>[plane] 没有给出比例</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersCommand</name>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
+        <translation>视频、编号图像的模式 (frame_%04d.png) 或相机编号；最初几帧中没有物体接触凝胶</translation>
+    </message>
+    <message>
+        <source>Sensor file of kind &quot;marker_gel&quot;</source>
+        <translation>kind 为“marker_gel”的传感器文件</translation>
+    </message>
+    <message>
+        <source>Print what was found in all, without the table</source>
+        <translation>只输出汇总，不输出表格</translation>
+    </message>
+    <message>
+        <source>a summary is printed; --out writes the table</source>
+        <translation>汇总只会输出到屏幕；--out 写出表格</translation>
+    </message>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>相机已停止发送帧</translation>
+    </message>
+    <message>
+        <source>the video has no frame that can be decoded</source>
+        <translation>视频中没有可以解码的帧</translation>
+    </message>
+    <message>
+        <source>the video has only one frame, so nothing moves in it</source>
+        <translation>视频只有一帧，其中没有运动</translation>
+    </message>
+    <message>
+        <source>at least two frames</source>
+        <translation>至少两帧</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast at %1 s: is the camera covered?</source>
+        <translation>在 %1 s 图像没有对比度：相机被遮住了吗？</translation>
+    </message>
+    <message>
+        <source>The light jumps at %1 s</source>
+        <translation>在 %1 s 光线突变</translation>
+    </message>
+    <message>
+        <source>At %1 s more than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>在 %1 s，超过 30 % 的标记已丢失 1 s：凝胶破了吗？</translation>
+    </message>
+    <message>
+        <source>Frames that cannot be decoded: %1</source>
+        <translation>无法解码的帧：%1</translation>
+    </message>
+    <message>
+        <source>Frames missing according to their time stamps: %1</source>
+        <translation>根据时间戳缺失的帧：%1</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>找到</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>distance of neighbours</source>
+        <translation>相邻间距</translation>
+    </message>
+    <message>
+        <source>frames for the places at rest</source>
+        <translation>用于静止位置的帧</translation>
+    </message>
+    <message>
+        <source>noise of a place</source>
+        <translation>位置噪声</translation>
+    </message>
+    <message>
+        <source>largest displacement</source>
+        <translation>最大位移</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Follow the markers of a flat gel in a video</source>
+        <translation>在视频中跟踪平面凝胶的标记</translation>
     </message>
 </context>
 <context>

@@ -22,10 +22,11 @@ using namespace teleta::cli;
 /// In the order of the help.
 std::vector<Command> allCommands() {
     std::vector<Command> commands = everydayCommands();
-    for (Command& command : std::array{calibrateCommand(), locateCommand(), trackCommand(), simulateCommand(),
-                                       replayCommand(), exportCommand(), importCommand(), patternCommand(),
-                                       studyCommand(), tradeoffCommand(), sweepCommand(), armCommand(),
-                                       devicesCommand(), rosCommand(), certifyCommand(), siteCommand()})
+    for (Command& command :
+         std::array{calibrateCommand(), locateCommand(), trackCommand(), markersCommand(), simulateCommand(),
+                    replayCommand(), exportCommand(), importCommand(), patternCommand(), studyCommand(),
+                    tradeoffCommand(), sweepCommand(), armCommand(), devicesCommand(), rosCommand(),
+                    certifyCommand(), siteCommand()})
         commands.push_back(std::move(command));
     return commands;
 }

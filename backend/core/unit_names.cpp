@@ -9,7 +9,7 @@ namespace teleta::core {
 namespace {
 
 struct Unit {
-    std::string_view ending; ///< of a key in a TOML file; of a column in lower case
+    std::string_view ending; ///< of a key in a TOML file, or all of it; of a column in lower case
     std::string_view text;
 };
 constexpr std::array kUnits{Unit{"_N_per_mm", "N/mm"},
@@ -51,6 +51,7 @@ constexpr std::array kUnits{Unit{"_N_per_mm", "N/mm"},
                             Unit{"_Pa", "Pa"},
                             Unit{"_uT", "µT"},
                             Unit{"_percent", "%"},
+                            Unit{"mm_per_px", "mm/px"},
                             Unit{"_px", "px"},
                             Unit{"_px2", "px²"},
                             Unit{"_bits", "bit"}};
@@ -77,7 +78,7 @@ constexpr auto kWithoutUnit = std::to_array<std::string_view>({
     "t", "qx", "qy", "qz", "qw", "qx_commanded", "qy_commanded", "qz_commanded", "qw_commanded", "commanded",
     "drive", "gain", "gain_se",
     // Numbers and names of things.
-    "frame", "contact_id", "taxel", "row", "column", "touch", "touches", "object", "true_object", "name",
+    "frame", "contact_id", "marker", "found", "taxel", "row", "column", "touch", "touches", "object", "true_object", "name",
     "joint", "run", "source", "samples", "active", "condition_number", "confidence", "value",
     // Words.
     "contact_type", "type", "contact", "event", "state", "text", "utc", "phase", "limits", "method",
@@ -114,7 +115,7 @@ constexpr char lowered(char c) {
 
 /// ending: of the table. exact: its letters as they are; otherwise in lower case.
 bool endsWith(std::string_view name, std::string_view ending, bool exact) {
-    return name.size() > ending.size() &&
+    return name.size() >= ending.size() &&
            std::ranges::equal(name.substr(name.size() - ending.size()), ending, {}, {},
                               [exact](char c) { return exact ? c : lowered(c); });
 }

@@ -58,6 +58,11 @@ std::optional<int> cameraNumber(const std::string& source) {
     return number;
 }
 
+/// In OpenCV's order: blue, green, red.
+int indexOf(VideoChannel channel) {
+    return channel == VideoChannel::blue ? 0 : channel == VideoChannel::green ? 1 : 2;
+}
+
 core::FileDescriptor openNode(int number, int flags) {
     return core::FileDescriptor(
         ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_CLOEXEC | flags));
@@ -104,6 +109,7 @@ bool isCameraNumber(const std::string& source) {
 
 core::Expected<VideoStream> VideoStream::open(const std::string& source, const Options& options) {
     VideoStream stream;
+    stream.m_channel = options.channel;
     try {
         if (const std::optional<int> number = cameraNumber(source)) {
             TELETA_TRY(stream.m_capture, opencv::videoCapture());
@@ -174,6 +180,8 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
             return Outcome::undecodable;
         if (m_image.channels() == 1)
             m_image.copyTo(frame);
+        else if (m_channel != VideoChannel::grey)
+            cv::extractChannel(m_image, frame, indexOf(m_channel));
         else
             cv::cvtColor(m_image, frame, m_image.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
         return Outcome::frame;

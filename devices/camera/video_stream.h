@@ -12,6 +12,9 @@
 
 namespace teleta::camera {
 
+/// What becomes the grey level of a pixel.
+enum class VideoChannel { grey, red, green, blue };
+
 /// Greyscale frames of a camera (V4L2) or of a file that OpenCV reads, with their capture times: the driver's
 /// or the file's, or where those do not rise, the number of the frame over the rate.
 /// Thread: one.
@@ -21,6 +24,7 @@ public:
         int width_px = 0; ///< asked of a camera; 0: its own
         int height_px = 0;
         double rate_Hz = 0.0;
+        VideoChannel channel = VideoChannel::grey; ///< of coloured pictures
     };
     /// source: a file, a pattern of numbered images, or the number of a camera.
     /// Error: notFound, badInput (no video), unavailable (a camera that does not open).
@@ -60,6 +64,7 @@ private:
     std::unique_ptr<cv::VideoCapture> m_capture;
     cv::Mat m_image;
     bool m_isCamera = false;
+    VideoChannel m_channel = VideoChannel::grey;
     double m_rate_Hz = 0.0;
     std::uint64_t m_total = 0;
     std::uint64_t m_read = 0; ///< also those that could not be decoded

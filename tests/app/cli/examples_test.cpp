@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/calibration/camera_file.h"
+#include "tests/app/cli/gel_video.h"
 #include "tests/app/cli/program_run.h"
 #include "tests/backend/simulation/camera/camera_scene.h"
 
@@ -67,6 +68,10 @@ TEST_P(Examples, workAsTheyAreCopiedIntoAShellInAnEmptyFolder) {
     const TemporaryFolder folder;
     if (GetParam() == "track")
         writeVideo(folder);
+    if (GetParam() == "markers") {
+        ASSERT_TRUE(teleta::test::writeGelVideo(folder.path("press.avi"), 12));
+        folder.write("gel.toml", teleta::test::kGelFile);
+    }
     const auto runScript = [&folder](const std::string& commands) {
         const std::string script = folder.write("example.sh", "set -euo pipefail\n" + commands);
         return std::system(("cd '" + folder.path("") +

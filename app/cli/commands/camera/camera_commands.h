@@ -7,6 +7,8 @@ namespace teleta::cli {
 
 /// Camera, lens and handedness from pairs of pixels and points on the cylinder.
 [[nodiscard]] Command calibrateCommand();
+/// Places and displacements of the markers of a flat gel in a video, one row per marker and frame.
+[[nodiscard]] Command markersCommand();
 /// Contacts on the soft tube in a video or live from a camera, one row per contact and frame.
 [[nodiscard]] Command trackCommand();
 

@@ -8,6 +8,7 @@
 #include "backend/scene/scene.h"
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/session/study_scene.h"
+#include "backend/vision/gel/marker_gel_file.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/register_map.h"
 
@@ -41,6 +42,7 @@ enum Section {
     braceletDevice,
     arrayDevice,
     cameraDevice,
+    gelDevice,
     sources,
     sceneSource,
     recordingSource,
@@ -89,6 +91,7 @@ const std::vector<PageWords>& pages() {
           "Bracelet over USB",
           "Weiss array",
           "Camera",
+          "Flat gel with markers",
           "Lists of sources",
           "Scene",
           "CSV recording",
@@ -135,6 +138,7 @@ const std::vector<PageWords>& pages() {
           "Bracelet USB",
           "Réseau Weiss",
           "Caméra",
+          "Gel plat à marqueurs",
           "Listes de sources",
           "Scène",
           "Enregistrement CSV",
@@ -179,6 +183,7 @@ const std::vector<PageWords>& pages() {
           "USB ブレスレット",
           "Weiss アレイ",
           "カメラ",
+          "マーカー付きの平らなゲル",
           "ソースの一覧",
           "シーン",
           "CSV の記録",
@@ -221,6 +226,7 @@ const std::vector<PageWords>& pages() {
           "USB 手环",
           "Weiss 阵列",
           "摄像头",
+          "带标记的平面凝胶",
           "信号源列表",
           "场景",
           "CSV 记录",
@@ -302,6 +308,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, braceletDevice, describeFile<bracelet::HidBraceletFile>);
     page.part(3, arrayDevice, describeFile<cli::ArrayFile>);
     page.part(3, cameraDevice, describeFile<cli::CameraFile>);
+    page.part(3, gelDevice, describeFile<vision::MarkerGelFile>);
     page.head(2, sources);
     page.part(3, sceneSource, sourceOf(app::SourceKind::scene));
     page.part(3, recordingSource, sourceOf(app::SourceKind::recording));

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/vision/finders/skin_patches.h"
+#include "backend/vision/gel/marker_gel.h"
+#include "backend/vision/gel/marker_strain.h"
+#include "backend/vision/gel/slip_monitor.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace teleta::vision {
+
+/// One contact on a flat gel in one picture. Without a calibration its measures are proxies, no forces.
+struct GelContactState {
+    int id = 0;                           ///< from 1; stays while its markers overlap from picture to picture
+    std::vector<std::size_t> markers;     ///< in order of falling displacement
+    std::vector<Eigen::Vector2d> outline; ///< convex, in m, counter-clockwise from x to y
+    double area_m2 = 0.0;                 ///< number of markers times the area of one
+    Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+    double normalProxy_m2 = 0.0; ///< sum of max(divergence, 0) times the area of a marker
+    Eigen::Vector2d shearProxy_m =
+        Eigen::Vector2d::Zero();     ///< mean displacement less that outside of patches
+    double torsion_rad = 0.0;        ///< half the mean curl
+    std::optional<double> slipIndex; ///< 1 - sticking / all, 0..1; nothing under five markers
+    SlipEvent event = SlipEvent::none;
+};
+
+/// Makes contacts of the motion of markers: patches of displacements above 4 standard deviations of the noise
+/// (of at least 0.05 px, since compressed videos hide noise), parted by a watershed over the graph of
+/// neighbours. Slip is judged where the load spreads the skin, or on the whole patch where it does not, from
+/// the motion since the load last changed by a quarter, less what its spread has grown in proportion to it:
+/// the skin spreads without slipping. Thread: one.
+class GelContacts {
+public:
+    /// The contacts of the next picture, the largest displacement first.
+    [[nodiscard]] const std::vector<GelContactState>& next(const MarkerGel& gel);
+    [[nodiscard]] const std::vector<MarkerStrain>& strains() const { return m_strains; }
+
+private:
+    struct Followed {
+        int id = 0;
+        std::vector<std::size_t> markers;
+        SlipMonitor monitor;
+        double load_m2 =
+            0.0; ///< sum of the divergence over the loaded markers when the motion was last counted anew
+        double most_m2 = 0.0; ///< the largest of these sums, at which `loaded` was found
+        std::vector<std::size_t> loaded;
+        std::vector<Eigen::Vector2d> start_m; ///< displacement of each loaded marker then
+    };
+    void judgeSlip(const MarkerGel& gel, GelContactState& contact, Followed& followed);
+
+    std::vector<MarkerStrain> m_strains;
+    std::vector<SkinNode> m_nodes;
+    std::vector<GelContactState> m_contacts;
+    std::vector<Followed> m_followed;
+    std::vector<Eigen::Vector2d> m_before_m; ///< displacements in the last picture
+    int m_lastId = 0;
+};
+
+} // namespace teleta::vision

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace teleta::vision {
+
+/// A place of a contact and how far it has moved since the contact began.
+struct ContactPlace {
+    Eigen::Vector2d rest_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d moved_m = Eigen::Vector2d::Zero();
+};
+
+/// A translation and a turn that most places of a contact share, and how many do.
+struct SharedMotion {
+    Eigen::Vector2d translation_m = Eigen::Vector2d::Zero(); ///< of the mean of the places that share it
+    double turn_rad = 0.0;
+    std::vector<bool> sticks{}; ///< of each place: its residual is within the tolerance
+    std::size_t sticking = 0;
+};
+
+/// The rigid motion of the places that stick: each pair of places proposes one, and that with which most
+/// places agree counts. Where fewer than half of them agree, it is the one that moves furthest of those with
+/// at least 45 % as many, since what slips lags behind. It is fitted to the places that agree. A place
+/// agrees, and sticks, while its residual is within 3 noise_m + 5 % of the largest motion. Nothing for fewer
+/// than five places: what sticks cannot be told from what slips. Thread: any (pure).
+[[nodiscard]] std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, double noise_m);
+
+enum class SlipEvent { none, incipientSlip, slip };
+
+/// Says when a contact slips. incipientSlip: the slip index is at least 0.3 for two frames. slip: it is at
+/// least 0.8 for two frames, or the shear has fallen by 20 % from its peak while the rim goes on moving the
+/// way of the shear. Each is told once until the index is below 0.2 again. Thread: one.
+class SlipMonitor {
+public:
+    /// index: nothing when it is undefined, which counts as no frame. shear_m: of the contact. rimMoved_m:
+    /// mean motion of its rim since the last frame. noise_m: of one marker.
+    [[nodiscard]] SlipEvent next(std::optional<double> index, const Eigen::Vector2d& shear_m,
+                                 const Eigen::Vector2d& rimMoved_m, double noise_m);
+
+private:
+    int m_partly = 0; ///< frames in a row
+    int m_wholly = 0;
+    bool m_toldPartly = false;
+    bool m_toldWholly = false;
+    double m_peak_m = 0.0;
+};
+
+} // namespace teleta::vision
