@@ -19,7 +19,8 @@ private slots:
         pattern::Pattern pattern;
         pattern.duration_s = 2.0;
         pattern.tracks[0] = {{0.0, 0.5, pattern::Easing::hold}, {1.0, 0.0, pattern::Easing::hold}};
-        pattern.tracks[5] = {{0.0, 0.0, pattern::Easing::hold}, {1.0, 1.0, pattern::Easing::hold}, {2.0, 1.0}};
+        pattern.tracks[5] = {
+            {0.0, 0.0, pattern::Easing::hold}, {1.0, 1.0, pattern::Easing::hold}, {2.0, 1.0}};
         const QPalette palette = base::designedPalette(false);
         const QRgb strong = palette.color(QPalette::Link).rgb();
         const QImage picture = patternPicture(pattern, QSize(40, 60), palette); // rows of 10 px

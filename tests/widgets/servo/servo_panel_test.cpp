@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/theme.h"
 #include "widgets/servo/force_strip.h"
 #include "widgets/servo/servo_panel.h"
@@ -223,10 +224,9 @@ private slots:
         ServoPanel panel;
         panel.setProvenance(teleta::base::Provenance::simulated);
         panel.setReport(exploring());
-        bool says = false;
-        for (const QLabel* label : panel.findChildren<QLabel*>())
-            says = says || (label->text() == QStringLiteral("SIMULATED") && !label->isHidden());
-        QVERIFY(says);
+        const auto* stripe = panel.findChild<teleta::base::ProvenanceStripe*>();
+        QVERIFY(stripe != nullptr && !stripe->isHidden());
+        QCOMPARE(stripe->accessibleName(), QStringLiteral("SIMULATED"));
     }
 
     void everyFieldHasItsName() {

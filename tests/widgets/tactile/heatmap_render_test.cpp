@@ -292,16 +292,29 @@ private slots:
         QCOMPARE(picture.coloursIn(small).size(), qsizetype(1));
     }
 
-    void simulatedDataAreLabelledInViolet() {
+    /// By a stripe on the screen, by the word in a picture that leaves the program.
+    void dataThatAreNotLiveAreLabelled() {
         Picture picture(ramp());
-        const QRgb violet = base::statusColours(qApp->palette()).simulated.rgb();
+        const base::StatusColours& colours = base::statusColours(qApp->palette());
+        const auto saved = [&] {
+            const base::Figure figure = picture.view.figure();
+            picture.image = QImage(figure.size_px.toSize(), QImage::Format_RGB32);
+            picture.image.fill(Qt::white);
+            QPainter painter(&picture.image);
+            figure.paint(painter);
+        };
         const QRectF header = picture.view.layoutNow().header();
-        QVERIFY(!picture.coloursIn(header).contains(violet));
-        for (const auto provenance : {base::Provenance::simulated, base::Provenance::recorded}) {
+        for (const auto& [provenance, colour] : {std::pair(base::Provenance::simulated, colours.simulated),
+                                                 std::pair(base::Provenance::recorded, colours.recorded)}) {
             picture.view.setProvenance(provenance);
             picture.image = picture.view.grab().toImage();
-            QVERIFY(picture.coloursIn(header).contains(violet));
+            QCOMPARE(picture.image.pixel(picture.image.width() / 2, 1), colour.rgb());
+            saved();
+            QVERIFY(picture.coloursIn(header).contains(colour.rgb()));
         }
+        picture.view.setProvenance(base::Provenance::live);
+        saved();
+        QVERIFY(!picture.coloursIn(header).contains(colours.simulated.rgb()));
     }
 
     void theDataLookTheSameInLightAndDark() {
