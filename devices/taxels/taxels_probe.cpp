@@ -24,6 +24,8 @@ using Rest = FrameDecoder::Rest;
 constexpr double kLook_s = 0.05;
 constexpr double kConnect_s = 2.0;
 constexpr double kRest_s = 3.0;
+constexpr std::int64_t kSilence_ns =
+    200'000'000; ///< after this, the rest of a frame is not expected any more
 
 std::int64_t in(double time_s) {
     return core::steadyNow_ns() + static_cast<std::int64_t>(time_s * 1e9);
@@ -46,7 +48,10 @@ public:
         const Outcome outcome = m_link.read(m_buffer, count, std::min(deadline_ns, in(kLook_s)), nullptr);
         m_read = std::span(m_buffer).first(count);
         m_decoder->feed(m_read);
-        m_rest = outcome == Outcome::done ? Rest::mayCome : Rest::willNotCome;
+        if (outcome == Outcome::done)
+            m_read_ns = core::steadyNow_ns();
+        const bool isSilent = core::steadyNow_ns() >= m_read_ns + kSilence_ns;
+        m_rest = outcome == Outcome::gone || isSilent ? Rest::willNotCome : Rest::mayCome;
         return outcome != Outcome::gone;
     }
     bool next(DecodedFrame& frame) { return m_decoder->next(frame, m_rest); }
@@ -63,6 +68,7 @@ private:
     std::vector<std::uint8_t> m_buffer = std::vector<std::uint8_t>(ByteLink::kLongestDatagram);
     std::span<const std::uint8_t> m_read;
     Rest m_rest = Rest::mayCome;
+    std::int64_t m_read_ns = core::steadyNow_ns();
 };
 
 core::Expected<ByteLink> openLink(const TaxelsFile& file) {

@@ -411,7 +411,8 @@ SourcePlace TomlTable::place(std::string_view key) const {
 }
 
 void TomlTable::fail(std::string_view key, std::string message, std::string expected) {
-    if (!m_data->document->error)
+    // That a table is missing says it all.
+    if (!m_data->document->error && m_data->table != nullptr)
         m_data->document->error =
             Error{ErrorKind::badInput, std::move(message), std::move(expected), place(key)};
 }

@@ -218,6 +218,8 @@ bool BinaryDecoder::readValues(std::span<const std::uint8_t> bytes, const ValueF
     for (std::size_t i = 0; i < field.count; ++i) {
         const std::size_t at = begin + i / field.perGroup * field.groupBytes() + i % field.perGroup * size;
         const double number = readNumber(bytes.subspan(at), field.field.type, field.field.order);
+        if (!std::isfinite(number))
+            return false;
         const auto value = static_cast<float>(scaling.scale * number + scaling.offset);
         if (!std::isfinite(value) || number < field.low || number > field.high)
             return false;

@@ -2,10 +2,13 @@
 #include "devices/taxels/frames/number_type.h"
 
 #include <bit>
+#include <limits>
 
 namespace teleta::taxels {
 
 namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 std::uint64_t bitsOf(std::span<const std::uint8_t> bytes, std::size_t size, ByteOrder order) {
     std::uint64_t bits = 0;
@@ -46,10 +49,17 @@ std::size_t sizeOf(NumberType type) {
 double readNumber(std::span<const std::uint8_t> bytes, NumberType type, ByteOrder order) {
     const std::size_t size = sizeOf(type);
     const std::uint64_t bits = bitsOf(bytes, size, order);
-    if (type == NumberType::float32)
-        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    if (type == NumberType::float64)
-        return std::bit_cast<double>(bits);
+    // No signalling NaN is computed with: it would raise the floating-point exception "invalid".
+    if (type == NumberType::float32) {
+        constexpr std::uint32_t kNotFinite = 0x7F80'0000U;
+        const auto narrow = static_cast<std::uint32_t>(bits);
+        return (narrow & kNotFinite) == kNotFinite ? kNothing
+                                                   : static_cast<double>(std::bit_cast<float>(narrow));
+    }
+    if (type == NumberType::float64) {
+        constexpr std::uint64_t kNotFinite = 0x7FF0'0000'0000'0000U;
+        return (bits & kNotFinite) == kNotFinite ? kNothing : std::bit_cast<double>(bits);
+    }
     return isUnsigned(type) ? static_cast<double>(bits) : signedValue(bits, size);
 }
 

@@ -24,7 +24,7 @@ enum class ByteOrder { little, big };
            type == NumberType::uint32;
 }
 
-/// The number in the first sizeOf(type) bytes. Thread: any (pure).
+/// The number in the first sizeOf(type) bytes; NaN for a float that is not finite. Thread: any (pure).
 [[nodiscard]] double readNumber(std::span<const std::uint8_t> bytes, NumberType type, ByteOrder order);
 
 /// The bits of sizeOf(type) <= 4 bytes as a whole number.
