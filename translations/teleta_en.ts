@@ -52,6 +52,16 @@
     </message>
 </context>
 <context>
+    <name>DevicesCommand</name>
+    <message numerus="yes">
+        <source>it sends frames of %n chip(s)</source>
+        <translation>
+            <numerusform>it sends frames of %n chip</numerusform>
+            <numerusform>it sends frames of %n chips</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ExclusionReport</name>
     <message numerus="yes">
         <source>no spread of the times, so nothing was left out, in %n case(s)</source>
@@ -269,6 +279,30 @@
         <translation>
             <numerusform>%1. %n trigger could not be written: %2</numerusform>
             <numerusform>%1. %n triggers could not be written: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>TaxelsText</name>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are not in the frame</source>
+        <translation>
+            <numerusform>%n byte from %1 on is not in the frame</numerusform>
+            <numerusform>%n bytes from %1 on are not in the frame</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a place in a frame of %n byte(s)</source>
+        <translation>
+            <numerusform>a place in a frame of %n byte</numerusform>
+            <numerusform>a place in a frame of %n bytes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are in no frame</source>
+        <translation>
+            <numerusform>%n byte from %1 on is in no frame</numerusform>
+            <numerusform>%n bytes from %1 on are in no frame</numerusform>
         </translation>
     </message>
 </context>

@@ -3367,10 +3367,6 @@ Exemples&#xa0;:
         <translation>Caméra</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
-        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; ou &quot;hid_bracelet&quot;</translation>
-    </message>
-    <message>
         <source>List connected devices, how fast they are, and why others cannot be used</source>
         <translation>Ce qui est connecté, pourquoi un appareil ne l’est pas, et sa vitesse</translation>
     </message>
@@ -3381,6 +3377,29 @@ Exemples&#xa0;:
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>nothing came from it</source>
+        <translation>rien n’en est venu</translation>
+    </message>
+    <message numerus="yes">
+        <source>it sends frames of %n chip(s)</source>
+        <translation>
+            <numerusform>il envoie des trames de %n puce</numerusform>
+            <numerusform>il envoie des trames de %n puces</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>there is no frame in what came from it, as the file describes them</source>
+        <translation>ce qui en est venu ne contient aucune trame telle que le fichier la décrit</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; ou &quot;xela&quot;</translation>
+    </message>
+    <message>
+        <source>Of a described array: show so many of the bytes that it sends</source>
+        <translation>D’une matrice décrite&#xa0;: montrer tant d’octets de ceux qu’elle envoie</translation>
     </message>
 </context>
 <context>
@@ -5237,6 +5256,65 @@ Exemples&#xa0;:
     <message>
         <source>interrupted</source>
         <translation>interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>LinkText</name>
+    <message>
+        <source>a serial port cannot run at %1 baud</source>
+        <translation>un port série ne peut pas fonctionner à %1 bauds</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>l’un de %1</translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2</source>
+        <translation>impossible d’ouvrir %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port</source>
+        <translation>%1 n’est pas un port série</translation>
+    </message>
+    <message>
+        <source>cannot find %1: %2</source>
+        <translation>impossible de trouver %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>connecting was cancelled</source>
+        <translation>la connexion a été annulée</translation>
+    </message>
+    <message>
+        <source>cannot connect to %1: %2</source>
+        <translation>impossible de se connecter à %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no file</source>
+        <translation>%1 n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>The link failed: %1.</source>
+        <translation>La liaison a échoué&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The sensor closed the connection.</source>
+        <translation>Le capteur a fermé la connexion.</translation>
+    </message>
+    <message>
+        <source>The device was unplugged.</source>
+        <translation>L’appareil a été débranché.</translation>
+    </message>
+    <message>
+        <source>The file has ended.</source>
+        <translation>Le fichier est terminé.</translation>
+    </message>
+    <message>
+        <source>The server closed the connection (code %1): %2</source>
+        <translation>Le serveur a fermé la connexion (code %1)&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>sans réponse</translation>
     </message>
 </context>
 <context>
@@ -9513,10 +9591,6 @@ Run %2 --help for more.
         <translation>un site n’envoie pas ce genre d’appareil</translation>
     </message>
     <message>
-        <source>file, wts or scene</source>
-        <translation>file, wts ou scene</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no name of a console</source>
         <translation>« %1 » n’est pas un nom de console</translation>
     </message>
@@ -9531,6 +9605,10 @@ Run %2 --help for more.
     <message>
         <source>a unique id for each device</source>
         <translation>un id unique pour chaque appareil</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels or scene</source>
+        <translation>file, wts, taxels ou scene</translation>
     </message>
 </context>
 <context>
@@ -13027,6 +13105,285 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>TaxelsReportText</name>
+    <message>
+        <source>Frames found</source>
+        <translation>Trames trouvées</translation>
+    </message>
+    <message>
+        <source>Bytes of frames</source>
+        <translation>Octets des trames</translation>
+    </message>
+    <message>
+        <source>Bytes outside frames</source>
+        <translation>Octets hors des trames</translation>
+    </message>
+    <message>
+        <source>Wrong checksums</source>
+        <translation>Sommes de contrôle fausses</translation>
+    </message>
+    <message>
+        <source>Wrong lengths</source>
+        <translation>Longueurs fausses</translation>
+    </message>
+    <message>
+        <source>Wrong closing bytes</source>
+        <translation>Octets de fin faux</translation>
+    </message>
+    <message>
+        <source>Unreadable values</source>
+        <translation>Valeurs illisibles</translation>
+    </message>
+    <message>
+        <source>Frames of another length</source>
+        <translation>Trames d’une autre longueur</translation>
+    </message>
+    <message>
+        <source>Bytes (&gt; begins a frame)</source>
+        <translation>Octets (&gt; débute une trame)</translation>
+    </message>
+    <message>
+        <source>First frame in %1, the last row first</source>
+        <translation>Première trame en %1, la dernière ligne d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>TaxelsText</name>
+    <message>
+        <source>&quot;%1&quot; are no hexadecimal bytes</source>
+        <translation>«&#xa0;%1&#xa0;» ne sont pas des octets hexadécimaux</translation>
+    </message>
+    <message>
+        <source>up to %1 bytes, as &quot;AA 55&quot;</source>
+        <translation>au plus %1 octets, comme «&#xa0;AA 55&#xa0;»</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are not in the frame</source>
+        <translation>
+            <numerusform>%n octet à partir de %1 n’est pas dans la trame</numerusform>
+            <numerusform>%n octets à partir de %1 ne sont pas dans la trame</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a place in a frame of %n byte(s)</source>
+        <translation>
+            <numerusform>une place dans une trame de %n octet</numerusform>
+            <numerusform>une place dans une trame de %n octets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are in no frame</source>
+        <translation>
+            <numerusform>%n octet à partir de %1 n’est dans aucune trame</numerusform>
+            <numerusform>%n octets à partir de %1 ne sont dans aucune trame</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a place in the frame; a negative one counts from its end</source>
+        <translation>une place dans la trame&#xa0;; négative, elle compte à partir de la fin</translation>
+    </message>
+    <message>
+        <source>the checksum covers no byte of the frame</source>
+        <translation>la somme de contrôle ne couvre aucun octet de la trame</translation>
+    </message>
+    <message>
+        <source>&quot;from&quot; before &quot;to&quot;</source>
+        <translation>«&#xa0;from&#xa0;» avant «&#xa0;to&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the checksum covers itself</source>
+        <translation>la somme de contrôle se couvre elle-même</translation>
+    </message>
+    <message>
+        <source>bytes before or behind it</source>
+        <translation>des octets avant ou après elle</translation>
+    </message>
+    <message>
+        <source>with a factor of 0 every value is the same</source>
+        <translation>avec un facteur 0, toutes les valeurs sont égales</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>un autre nombre</translation>
+    </message>
+    <message>
+        <source>%1 numbers are not %2 for each taxel</source>
+        <translation>%1 nombres ne font pas %2 par taxel</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>un multiple de %1</translation>
+    </message>
+    <message>
+        <source>a taxel has more bytes than that</source>
+        <translation>un taxel a plus d’octets que cela</translation>
+    </message>
+    <message>
+        <source>at least %1, or 0</source>
+        <translation>au moins %1, ou 0</translation>
+    </message>
+    <message>
+        <source>the length of a frame is not clear</source>
+        <translation>la longueur d’une trame n’est pas claire</translation>
+    </message>
+    <message>
+        <source>either length or length_field</source>
+        <translation>soit length, soit length_field</translation>
+    </message>
+    <message>
+        <source>the first and last bytes are longer than the frame</source>
+        <translation>les premiers et derniers octets sont plus longs que la trame</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>nothing shows where a frame begins</source>
+        <translation>rien n’indique où débute une trame</translation>
+    </message>
+    <message>
+        <source>sync, end or a checksum</source>
+        <translation>sync, end ou une somme de contrôle</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot separate numbers</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas séparer des nombres</translation>
+    </message>
+    <message>
+        <source>one character</source>
+        <translation>un caractère</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no columns</source>
+        <translation>«&#xa0;%1&#xa0;» ne désigne aucune colonne</translation>
+    </message>
+    <message>
+        <source>the first and the last column, as &quot;2..85&quot;</source>
+        <translation>la première et la dernière colonne, comme «&#xa0;2..85&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a column cannot be a value and the time</source>
+        <translation>une colonne ne peut pas être à la fois une valeur et l’heure</translation>
+    </message>
+    <message>
+        <source>a column outside &quot;columns&quot;</source>
+        <translation>une colonne hors de «&#xa0;columns&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no JSON pointer</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un pointeur JSON</translation>
+    </message>
+    <message>
+        <source>a path as &quot;/sensors/0/data&quot;</source>
+        <translation>un chemin comme «&#xa0;/sensors/0/data&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the places lie on no square grid</source>
+        <translation>les positions ne sont sur aucune grille carrée</translation>
+    </message>
+    <message>
+        <source>different places whose distances in x and y are multiples of one pitch</source>
+        <translation>des positions différentes dont les distances en x et y sont des multiples d’un même pas</translation>
+    </message>
+    <message>
+        <source>a taxel tells its load or three components</source>
+        <translation>un taxel donne sa charge ou trois composantes</translation>
+    </message>
+    <message>
+        <source>1 or 3</source>
+        <translation>1 ou 3</translation>
+    </message>
+    <message>
+        <source>these are no three axes</source>
+        <translation>ce ne sont pas trois axes</translation>
+    </message>
+    <message>
+        <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
+        <translation>chaque axe une fois avec son signe, comme [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</translation>
+    </message>
+    <message>
+        <source>the taxels are %1 mm apart in x and %2 mm in y</source>
+        <translation>les taxels sont espacés de %1 mm en x et de %2 mm en y</translation>
+    </message>
+    <message>
+        <source>square cells</source>
+        <translation>des cellules carrées</translation>
+    </message>
+    <message>
+        <source>these are no places without a taxel</source>
+        <translation>ce ne sont pas des places sans taxel</translation>
+    </message>
+    <message>
+        <source>these are no places of taxels</source>
+        <translation>ce ne sont pas des places de taxels</translation>
+    </message>
+    <message>
+        <source>&quot;places&quot; says already where no taxel is</source>
+        <translation>«&#xa0;places&#xa0;» dit déjà où il n’y a pas de taxel</translation>
+    </message>
+    <message>
+        <source>either places or mask</source>
+        <translation>soit places, soit mask</translation>
+    </message>
+    <message>
+        <source>The sensor has sent no usable frame for %1 s.</source>
+        <translation>Le capteur n’a pas envoyé de trame utilisable depuis %1 s.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a WebSocket server</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas l’adresse d’un serveur WebSocket</translation>
+    </message>
+    <message>
+        <source>ws://HOST:PORT or wss://HOST:PORT</source>
+        <translation>ws://HOST:PORT ou wss://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>it is given as text already</source>
+        <translation>c’est déjà donné sous forme de texte</translation>
+    </message>
+    <message>
+        <source>either %1 or %2</source>
+        <translation>soit %1, soit %2</translation>
+    </message>
+    <message>
+        <source>a frame has %1 numbers, but the layout has %2 taxels with %3 each</source>
+        <translation>une trame a %1 nombres, mais la disposition a %2 taxels de %3 nombres chacun</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 nombres</translation>
+    </message>
+    <message>
+        <source>without a threshold it is not known which taxels are touched</source>
+        <translation>sans seuil, on ne sait pas quels taxels sont touchés</translation>
+    </message>
+    <message>
+        <source>threshold = &quot;a load in the unit of the values&quot;</source>
+        <translation>threshold = &quot;une charge dans l’unité des valeurs&quot;</translation>
+    </message>
+    <message>
+        <source>opening was cancelled</source>
+        <translation>l’ouverture a été annulée</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames came for the rest of the array</source>
+        <translation>seulement %1 trames sur %2 sont venues pour le repos de la matrice</translation>
+    </message>
+    <message>
+        <source>a sensor that sends, as the file describes it</source>
+        <translation>un capteur qui envoie, comme le fichier le décrit</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1, and at least one place with a taxel</source>
+        <translation>des nombres de 0 à %1, et au moins une place avec un taxel</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1, each once</source>
+        <translation>des nombres de 0 à %1, chacun une fois</translation>
+    </message>
+</context>
+<context>
     <name>TekscanText</name>
     <message>
         <source>the recording has no frames</source>
@@ -13785,6 +14142,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>a number, a text in quotes, or true or false</source>
         <translation>un nombre, un texte entre guillemets, ou true ou false</translation>
     </message>
+    <message>
+        <source>a list of lists, each of %1 numbers</source>
+        <translation>une liste de listes, chacune de %1 nombres</translation>
+    </message>
 </context>
 <context>
     <name>TouchTexts</name>
@@ -14528,44 +14889,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>état %1</translation>
     </message>
     <message>
-        <source>a serial port cannot run at %1 baud</source>
-        <translation>un port série ne peut pas fonctionner à %1 bauds</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>l’un de %1</translation>
-    </message>
-    <message>
-        <source>cannot open %1: %2</source>
-        <translation>impossible d’ouvrir %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a serial port</source>
-        <translation>%1 n’est pas un port série</translation>
-    </message>
-    <message>
-        <source>cannot find %1: %2</source>
-        <translation>impossible de trouver %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>connecting was cancelled</source>
         <translation>la connexion a été annulée</translation>
-    </message>
-    <message>
-        <source>cannot connect to %1: %2</source>
-        <translation>impossible de se connecter à %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>The link failed: %1.</source>
-        <translation>La liaison a échoué&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The sensor closed the connection.</source>
-        <translation>Le capteur a fermé la connexion.</translation>
-    </message>
-    <message>
-        <source>The device was unplugged.</source>
-        <translation>L’appareil a été débranché.</translation>
     </message>
     <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>

@@ -3362,10 +3362,6 @@ Examples:
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot; または &quot;hid_bracelet&quot;</translation>
-    </message>
-    <message>
         <source>List connected devices, how fast they are, and why others cannot be used</source>
         <translation>接続されているもの、接続できない理由、速度</translation>
     </message>
@@ -3376,6 +3372,28 @@ Examples:
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>nothing came from it</source>
+        <translation>何も届きませんでした</translation>
+    </message>
+    <message numerus="yes">
+        <source>it sends frames of %n chip(s)</source>
+        <translation>
+            <numerusform>%n個のチップのフレームを送っています</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>there is no frame in what came from it, as the file describes them</source>
+        <translation>届いたデータの中に、ファイルの記述に合うフレームがありません</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;または&quot;xela&quot;</translation>
+    </message>
+    <message>
+        <source>Of a described array: show so many of the bytes that it sends</source>
+        <translation>記述されたアレイ: 届いたバイトのうち、この数を表示する</translation>
     </message>
 </context>
 <context>
@@ -5222,6 +5240,65 @@ Examples:
     <message>
         <source>interrupted</source>
         <translation>中断されました</translation>
+    </message>
+</context>
+<context>
+    <name>LinkText</name>
+    <message>
+        <source>a serial port cannot run at %1 baud</source>
+        <translation>シリアルポートを%1ボーで動作させられません</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2</source>
+        <translation>%1 を開けません: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port</source>
+        <translation>%1 はシリアルポートではありません</translation>
+    </message>
+    <message>
+        <source>cannot find %1: %2</source>
+        <translation>%1 が見つかりません: %2</translation>
+    </message>
+    <message>
+        <source>connecting was cancelled</source>
+        <translation>接続がキャンセルされました</translation>
+    </message>
+    <message>
+        <source>cannot connect to %1: %2</source>
+        <translation>%1 に接続できません: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no file</source>
+        <translation>%1はファイルではありません</translation>
+    </message>
+    <message>
+        <source>The link failed: %1.</source>
+        <translation>リンクに障害が発生しました: %1。</translation>
+    </message>
+    <message>
+        <source>The sensor closed the connection.</source>
+        <translation>センサーが接続を閉じました。</translation>
+    </message>
+    <message>
+        <source>The device was unplugged.</source>
+        <translation>デバイスが取り外されました。</translation>
+    </message>
+    <message>
+        <source>The file has ended.</source>
+        <translation>ファイルの終わりに達しました。</translation>
+    </message>
+    <message>
+        <source>The server closed the connection (code %1): %2</source>
+        <translation>サーバーが接続を閉じました (コード %1): %2</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>応答なし</translation>
     </message>
 </context>
 <context>
@@ -9491,10 +9568,6 @@ Run %2 --help for more.
         <translation>サイトはこの種の装置を送りません</translation>
     </message>
     <message>
-        <source>file, wts or scene</source>
-        <translation>file、wts、scene のいずれか</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no name of a console</source>
         <translation>「%1」はコンソールの名前ではありません</translation>
     </message>
@@ -9509,6 +9582,10 @@ Run %2 --help for more.
     <message>
         <source>a unique id for each device</source>
         <translation>装置ごとに異なる id</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels or scene</source>
+        <translation>file、wts、taxelsまたはscene</translation>
     </message>
 </context>
 <context>
@@ -12996,6 +13073,282 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>TaxelsReportText</name>
+    <message>
+        <source>Frames found</source>
+        <translation>見つかったフレーム</translation>
+    </message>
+    <message>
+        <source>Bytes of frames</source>
+        <translation>フレームのバイト</translation>
+    </message>
+    <message>
+        <source>Bytes outside frames</source>
+        <translation>フレーム外のバイト</translation>
+    </message>
+    <message>
+        <source>Wrong checksums</source>
+        <translation>誤ったチェックサム</translation>
+    </message>
+    <message>
+        <source>Wrong lengths</source>
+        <translation>誤った長さ</translation>
+    </message>
+    <message>
+        <source>Wrong closing bytes</source>
+        <translation>誤った末尾バイト</translation>
+    </message>
+    <message>
+        <source>Unreadable values</source>
+        <translation>読めない値</translation>
+    </message>
+    <message>
+        <source>Frames of another length</source>
+        <translation>別の長さのフレーム</translation>
+    </message>
+    <message>
+        <source>Bytes (&gt; begins a frame)</source>
+        <translation>バイト列 (&gt;はフレームの先頭)</translation>
+    </message>
+    <message>
+        <source>First frame in %1, the last row first</source>
+        <translation>最初のフレーム (単位 %1)、最後の行が先頭</translation>
+    </message>
+</context>
+<context>
+    <name>TaxelsText</name>
+    <message>
+        <source>&quot;%1&quot; are no hexadecimal bytes</source>
+        <translation>「%1」は16進のバイトではありません</translation>
+    </message>
+    <message>
+        <source>up to %1 bytes, as &quot;AA 55&quot;</source>
+        <translation>「AA 55」のように最大%1バイト</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are not in the frame</source>
+        <translation>
+            <numerusform>%1からの%nバイトはフレームの中にありません</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a place in a frame of %n byte(s)</source>
+        <translation>
+            <numerusform>%nバイトのフレームの中の位置</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are in no frame</source>
+        <translation>
+            <numerusform>%1からの%nバイトはどのフレームの中にもありません</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a place in the frame; a negative one counts from its end</source>
+        <translation>フレームの中の位置。負の数は末尾から数えます</translation>
+    </message>
+    <message>
+        <source>the checksum covers no byte of the frame</source>
+        <translation>チェックサムの範囲にフレームのバイトがありません</translation>
+    </message>
+    <message>
+        <source>&quot;from&quot; before &quot;to&quot;</source>
+        <translation>「to」より前の「from」</translation>
+    </message>
+    <message>
+        <source>the checksum covers itself</source>
+        <translation>チェックサムの範囲にそれ自身が入っています</translation>
+    </message>
+    <message>
+        <source>bytes before or behind it</source>
+        <translation>その前または後のバイト</translation>
+    </message>
+    <message>
+        <source>with a factor of 0 every value is the same</source>
+        <translation>係数が0では、すべての値が同じになります</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>別の数</translation>
+    </message>
+    <message>
+        <source>%1 numbers are not %2 for each taxel</source>
+        <translation>%1個の数は、タクセルあたり%2個になりません</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>%1の倍数</translation>
+    </message>
+    <message>
+        <source>a taxel has more bytes than that</source>
+        <translation>タクセルのバイト数はそれより多いです</translation>
+    </message>
+    <message>
+        <source>at least %1, or 0</source>
+        <translation>%1以上、または0</translation>
+    </message>
+    <message>
+        <source>the length of a frame is not clear</source>
+        <translation>フレームの長さが決まりません</translation>
+    </message>
+    <message>
+        <source>either length or length_field</source>
+        <translation>lengthかlength_fieldのどちらか</translation>
+    </message>
+    <message>
+        <source>the first and last bytes are longer than the frame</source>
+        <translation>先頭と末尾のバイトがフレームより長くなっています</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>%1以上</translation>
+    </message>
+    <message>
+        <source>nothing shows where a frame begins</source>
+        <translation>フレームの先頭を示すものがありません</translation>
+    </message>
+    <message>
+        <source>sync, end or a checksum</source>
+        <translation>sync、endまたはチェックサム</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot separate numbers</source>
+        <translation>「%1」は数の区切りになりません</translation>
+    </message>
+    <message>
+        <source>one character</source>
+        <translation>1文字</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no columns</source>
+        <translation>「%1」は列を表していません</translation>
+    </message>
+    <message>
+        <source>the first and the last column, as &quot;2..85&quot;</source>
+        <translation>「2..85」のように最初と最後の列</translation>
+    </message>
+    <message>
+        <source>a column cannot be a value and the time</source>
+        <translation>1つの列が値と時刻を兼ねることはできません</translation>
+    </message>
+    <message>
+        <source>a column outside &quot;columns&quot;</source>
+        <translation>「columns」の外の列</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no JSON pointer</source>
+        <translation>「%1」はJSONポインターではありません</translation>
+    </message>
+    <message>
+        <source>a path as &quot;/sensors/0/data&quot;</source>
+        <translation>「/sensors/0/data」のようなパス</translation>
+    </message>
+    <message>
+        <source>the places lie on no square grid</source>
+        <translation>位置が正方格子の上にありません</translation>
+    </message>
+    <message>
+        <source>different places whose distances in x and y are multiples of one pitch</source>
+        <translation>xとyの間隔が1つのピッチの倍数になる、互いに異なる位置</translation>
+    </message>
+    <message>
+        <source>a taxel tells its load or three components</source>
+        <translation>タクセルが示すのは荷重か3成分です</translation>
+    </message>
+    <message>
+        <source>1 or 3</source>
+        <translation>1または3</translation>
+    </message>
+    <message>
+        <source>these are no three axes</source>
+        <translation>これは3つの軸ではありません</translation>
+    </message>
+    <message>
+        <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
+        <translation>[&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]のように、各軸を符号付きで1回ずつ</translation>
+    </message>
+    <message>
+        <source>the taxels are %1 mm apart in x and %2 mm in y</source>
+        <translation>タクセルの間隔はxで%1 mm、yで%2 mmです</translation>
+    </message>
+    <message>
+        <source>square cells</source>
+        <translation>正方形のセル</translation>
+    </message>
+    <message>
+        <source>these are no places without a taxel</source>
+        <translation>これはタクセルのない位置ではありません</translation>
+    </message>
+    <message>
+        <source>these are no places of taxels</source>
+        <translation>これはタクセルの位置ではありません</translation>
+    </message>
+    <message>
+        <source>&quot;places&quot; says already where no taxel is</source>
+        <translation>タクセルのない位置は「places」で決まっています</translation>
+    </message>
+    <message>
+        <source>either places or mask</source>
+        <translation>placesかmaskのどちらか</translation>
+    </message>
+    <message>
+        <source>The sensor has sent no usable frame for %1 s.</source>
+        <translation>センサーから使用可能なフレームが%1 s間届いていません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a WebSocket server</source>
+        <translation>「%1」はWebSocketサーバーのアドレスではありません</translation>
+    </message>
+    <message>
+        <source>ws://HOST:PORT or wss://HOST:PORT</source>
+        <translation>ws://HOST:PORTまたはwss://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>it is given as text already</source>
+        <translation>すでにテキストで指定されています</translation>
+    </message>
+    <message>
+        <source>either %1 or %2</source>
+        <translation>%1か%2のどちらか</translation>
+    </message>
+    <message>
+        <source>a frame has %1 numbers, but the layout has %2 taxels with %3 each</source>
+        <translation>フレームには%1個の数がありますが、配置にはそれぞれ%3個のタクセルが%2個あります</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1個の数</translation>
+    </message>
+    <message>
+        <source>without a threshold it is not known which taxels are touched</source>
+        <translation>しきい値がないと、どのタクセルが触れられているか分かりません</translation>
+    </message>
+    <message>
+        <source>threshold = &quot;a load in the unit of the values&quot;</source>
+        <translation>threshold = &quot;値の単位での荷重&quot;</translation>
+    </message>
+    <message>
+        <source>opening was cancelled</source>
+        <translation>開くことが取り消されました</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames came for the rest of the array</source>
+        <translation>アレイの静止値のためのフレームが%2個中%1個しか届きませんでした</translation>
+    </message>
+    <message>
+        <source>a sensor that sends, as the file describes it</source>
+        <translation>ファイルの記述どおりに送信するセンサー</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1, and at least one place with a taxel</source>
+        <translation>0から%1までの数。タクセルのある位置が少なくとも1つ必要です</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1, each once</source>
+        <translation>0から%1までの数を1回ずつ</translation>
+    </message>
+</context>
+<context>
     <name>TekscanText</name>
     <message>
         <source>the recording has no frames</source>
@@ -13754,6 +14107,10 @@ Run teleta-site --help for more.
         <source>a number, a text in quotes, or true or false</source>
         <translation>数、引用符で囲んだテキスト、または true か false</translation>
     </message>
+    <message>
+        <source>a list of lists, each of %1 numbers</source>
+        <translation>それぞれ%1個の数からなるリストのリスト</translation>
+    </message>
 </context>
 <context>
     <name>TouchTexts</name>
@@ -14496,44 +14853,8 @@ Run teleta-site --help for more.
         <translation>ステータス%1</translation>
     </message>
     <message>
-        <source>a serial port cannot run at %1 baud</source>
-        <translation>シリアルポートを%1ボーで動作させられません</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>次のいずれか: %1</translation>
-    </message>
-    <message>
-        <source>cannot open %1: %2</source>
-        <translation>%1 を開けません: %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a serial port</source>
-        <translation>%1 はシリアルポートではありません</translation>
-    </message>
-    <message>
-        <source>cannot find %1: %2</source>
-        <translation>%1 が見つかりません: %2</translation>
-    </message>
-    <message>
         <source>connecting was cancelled</source>
         <translation>接続がキャンセルされました</translation>
-    </message>
-    <message>
-        <source>cannot connect to %1: %2</source>
-        <translation>%1 に接続できません: %2</translation>
-    </message>
-    <message>
-        <source>The link failed: %1.</source>
-        <translation>リンクに障害が発生しました: %1。</translation>
-    </message>
-    <message>
-        <source>The sensor closed the connection.</source>
-        <translation>センサーが接続を閉じました。</translation>
-    </message>
-    <message>
-        <source>The device was unplugged.</source>
-        <translation>デバイスが取り外されました。</translation>
     </message>
     <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>

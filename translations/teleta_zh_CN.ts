@@ -3362,10 +3362,6 @@ Examples:
         <translation>相机</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot; or &quot;hid_bracelet&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot; 或 &quot;hid_bracelet&quot;</translation>
-    </message>
-    <message>
         <source>List connected devices, how fast they are, and why others cannot be used</source>
         <translation>已连接的设备、未连接的原因及其速度</translation>
     </message>
@@ -3376,6 +3372,28 @@ Examples:
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>nothing came from it</source>
+        <translation>没有收到任何数据</translation>
+    </message>
+    <message numerus="yes">
+        <source>it sends frames of %n chip(s)</source>
+        <translation>
+            <numerusform>它发送含 %n 个芯片的帧</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>there is no frame in what came from it, as the file describes them</source>
+        <translation>收到的数据中没有文件所描述的帧</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot; 或 &quot;xela&quot;</translation>
+    </message>
+    <message>
+        <source>Of a described array: show so many of the bytes that it sends</source>
+        <translation>用文件描述的阵列：显示它发送的字节中的这么多个</translation>
     </message>
 </context>
 <context>
@@ -5222,6 +5240,65 @@ Examples:
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
+    </message>
+</context>
+<context>
+    <name>LinkText</name>
+    <message>
+        <source>a serial port cannot run at %1 baud</source>
+        <translation>串口不支持 %1 波特</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2</source>
+        <translation>无法打开 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port</source>
+        <translation>%1 不是串口</translation>
+    </message>
+    <message>
+        <source>cannot find %1: %2</source>
+        <translation>找不到 %1：%2</translation>
+    </message>
+    <message>
+        <source>connecting was cancelled</source>
+        <translation>连接已取消</translation>
+    </message>
+    <message>
+        <source>cannot connect to %1: %2</source>
+        <translation>无法连接到 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1 is no file</source>
+        <translation>%1 不是文件</translation>
+    </message>
+    <message>
+        <source>The link failed: %1.</source>
+        <translation>链路故障：%1。</translation>
+    </message>
+    <message>
+        <source>The sensor closed the connection.</source>
+        <translation>传感器关闭了连接。</translation>
+    </message>
+    <message>
+        <source>The device was unplugged.</source>
+        <translation>设备已拔出。</translation>
+    </message>
+    <message>
+        <source>The file has ended.</source>
+        <translation>文件已结束。</translation>
+    </message>
+    <message>
+        <source>The server closed the connection (code %1): %2</source>
+        <translation>服务器关闭了连接（代码 %1）：%2</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>没有应答</translation>
     </message>
 </context>
 <context>
@@ -9491,10 +9568,6 @@ Run %2 --help for more.
         <translation>站点不发送这类设备</translation>
     </message>
     <message>
-        <source>file, wts or scene</source>
-        <translation>file、wts 或 scene</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is no name of a console</source>
         <translation>“%1”不是控制台名称</translation>
     </message>
@@ -9509,6 +9582,10 @@ Run %2 --help for more.
     <message>
         <source>a unique id for each device</source>
         <translation>每个设备唯一的 id</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels or scene</source>
+        <translation>file、wts、taxels 或 scene</translation>
     </message>
 </context>
 <context>
@@ -12996,6 +13073,282 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>TaxelsReportText</name>
+    <message>
+        <source>Frames found</source>
+        <translation>找到的帧</translation>
+    </message>
+    <message>
+        <source>Bytes of frames</source>
+        <translation>帧的字节</translation>
+    </message>
+    <message>
+        <source>Bytes outside frames</source>
+        <translation>帧外的字节</translation>
+    </message>
+    <message>
+        <source>Wrong checksums</source>
+        <translation>错误的校验和</translation>
+    </message>
+    <message>
+        <source>Wrong lengths</source>
+        <translation>错误的长度</translation>
+    </message>
+    <message>
+        <source>Wrong closing bytes</source>
+        <translation>错误的结束字节</translation>
+    </message>
+    <message>
+        <source>Unreadable values</source>
+        <translation>无法读取的值</translation>
+    </message>
+    <message>
+        <source>Frames of another length</source>
+        <translation>其他长度的帧</translation>
+    </message>
+    <message>
+        <source>Bytes (&gt; begins a frame)</source>
+        <translation>字节（&gt; 为帧的开头）</translation>
+    </message>
+    <message>
+        <source>First frame in %1, the last row first</source>
+        <translation>第一帧（单位 %1），最后一行在前</translation>
+    </message>
+</context>
+<context>
+    <name>TaxelsText</name>
+    <message>
+        <source>&quot;%1&quot; are no hexadecimal bytes</source>
+        <translation>“%1”不是十六进制字节</translation>
+    </message>
+    <message>
+        <source>up to %1 bytes, as &quot;AA 55&quot;</source>
+        <translation>最多 %1 个字节，如“AA 55”</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are not in the frame</source>
+        <translation>
+            <numerusform>从 %1 起的 %n 个字节不在帧内</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a place in a frame of %n byte(s)</source>
+        <translation>
+            <numerusform>%n 个字节的帧中的位置</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) from %1 on are in no frame</source>
+        <translation>
+            <numerusform>从 %1 起的 %n 个字节不在任何帧内</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a place in the frame; a negative one counts from its end</source>
+        <translation>帧中的位置；负数从末尾数起</translation>
+    </message>
+    <message>
+        <source>the checksum covers no byte of the frame</source>
+        <translation>校验和不覆盖帧的任何字节</translation>
+    </message>
+    <message>
+        <source>&quot;from&quot; before &quot;to&quot;</source>
+        <translation>“from”在“to”之前</translation>
+    </message>
+    <message>
+        <source>the checksum covers itself</source>
+        <translation>校验和覆盖了自身</translation>
+    </message>
+    <message>
+        <source>bytes before or behind it</source>
+        <translation>它之前或之后的字节</translation>
+    </message>
+    <message>
+        <source>with a factor of 0 every value is the same</source>
+        <translation>系数为 0 时所有值都相同</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>另一个数</translation>
+    </message>
+    <message>
+        <source>%1 numbers are not %2 for each taxel</source>
+        <translation>%1 个数不是每个触觉单元 %2 个</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>%1 的倍数</translation>
+    </message>
+    <message>
+        <source>a taxel has more bytes than that</source>
+        <translation>一个触觉单元的字节比这更多</translation>
+    </message>
+    <message>
+        <source>at least %1, or 0</source>
+        <translation>至少 %1，或 0</translation>
+    </message>
+    <message>
+        <source>the length of a frame is not clear</source>
+        <translation>帧的长度不明确</translation>
+    </message>
+    <message>
+        <source>either length or length_field</source>
+        <translation>length 或 length_field 之一</translation>
+    </message>
+    <message>
+        <source>the first and last bytes are longer than the frame</source>
+        <translation>开头和结尾的字节比帧还长</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>nothing shows where a frame begins</source>
+        <translation>没有任何东西表明帧从何处开始</translation>
+    </message>
+    <message>
+        <source>sync, end or a checksum</source>
+        <translation>sync、end 或校验和</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot separate numbers</source>
+        <translation>“%1”不能用来分隔数字</translation>
+    </message>
+    <message>
+        <source>one character</source>
+        <translation>一个字符</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no columns</source>
+        <translation>“%1”没有指明列</translation>
+    </message>
+    <message>
+        <source>the first and the last column, as &quot;2..85&quot;</source>
+        <translation>第一列和最后一列，如“2..85”</translation>
+    </message>
+    <message>
+        <source>a column cannot be a value and the time</source>
+        <translation>一列不能既是值又是时间</translation>
+    </message>
+    <message>
+        <source>a column outside &quot;columns&quot;</source>
+        <translation>“columns”之外的列</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no JSON pointer</source>
+        <translation>“%1”不是 JSON 指针</translation>
+    </message>
+    <message>
+        <source>a path as &quot;/sensors/0/data&quot;</source>
+        <translation>如“/sensors/0/data”的路径</translation>
+    </message>
+    <message>
+        <source>the places lie on no square grid</source>
+        <translation>这些位置不在正方形网格上</translation>
+    </message>
+    <message>
+        <source>different places whose distances in x and y are multiples of one pitch</source>
+        <translation>x 和 y 方向间距为同一节距倍数的不同位置</translation>
+    </message>
+    <message>
+        <source>a taxel tells its load or three components</source>
+        <translation>一个触觉单元给出其载荷或三个分量</translation>
+    </message>
+    <message>
+        <source>1 or 3</source>
+        <translation>1 或 3</translation>
+    </message>
+    <message>
+        <source>these are no three axes</source>
+        <translation>这不是三个轴</translation>
+    </message>
+    <message>
+        <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
+        <translation>每个轴带符号出现一次，如 [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</translation>
+    </message>
+    <message>
+        <source>the taxels are %1 mm apart in x and %2 mm in y</source>
+        <translation>触觉单元在 x 方向间隔 %1 mm，在 y 方向间隔 %2 mm</translation>
+    </message>
+    <message>
+        <source>square cells</source>
+        <translation>正方形单元</translation>
+    </message>
+    <message>
+        <source>these are no places without a taxel</source>
+        <translation>这些不是没有触觉单元的位置</translation>
+    </message>
+    <message>
+        <source>these are no places of taxels</source>
+        <translation>这些不是触觉单元的位置</translation>
+    </message>
+    <message>
+        <source>&quot;places&quot; says already where no taxel is</source>
+        <translation>“places”已说明哪里没有触觉单元</translation>
+    </message>
+    <message>
+        <source>either places or mask</source>
+        <translation>places 或 mask 之一</translation>
+    </message>
+    <message>
+        <source>The sensor has sent no usable frame for %1 s.</source>
+        <translation>传感器已有 %1 s 未发送可用的帧。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a WebSocket server</source>
+        <translation>“%1”不是 WebSocket 服务器的地址</translation>
+    </message>
+    <message>
+        <source>ws://HOST:PORT or wss://HOST:PORT</source>
+        <translation>ws://HOST:PORT 或 wss://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>it is given as text already</source>
+        <translation>已经以文本给出</translation>
+    </message>
+    <message>
+        <source>either %1 or %2</source>
+        <translation>%1 或 %2 之一</translation>
+    </message>
+    <message>
+        <source>a frame has %1 numbers, but the layout has %2 taxels with %3 each</source>
+        <translation>一帧有 %1 个数，但布局有 %2 个触觉单元，每个 %3 个数</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 个数</translation>
+    </message>
+    <message>
+        <source>without a threshold it is not known which taxels are touched</source>
+        <translation>没有阈值就无法知道哪些触觉单元被触碰</translation>
+    </message>
+    <message>
+        <source>threshold = &quot;a load in the unit of the values&quot;</source>
+        <translation>threshold = &quot;以值的单位表示的载荷&quot;</translation>
+    </message>
+    <message>
+        <source>opening was cancelled</source>
+        <translation>打开已取消</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames came for the rest of the array</source>
+        <translation>用于阵列静止值的 %2 帧中只收到 %1 帧</translation>
+    </message>
+    <message>
+        <source>a sensor that sends, as the file describes it</source>
+        <translation>按文件描述发送数据的传感器</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1, and at least one place with a taxel</source>
+        <translation>0 到 %1 的数，且至少有一个位置有触觉单元</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1, each once</source>
+        <translation>0 到 %1 的数，每个一次</translation>
+    </message>
+</context>
+<context>
     <name>TekscanText</name>
     <message>
         <source>the recording has no frames</source>
@@ -13754,6 +14107,10 @@ Run teleta-site --help for more.
         <source>a number, a text in quotes, or true or false</source>
         <translation>数字、带引号的文本，或 true 或 false</translation>
     </message>
+    <message>
+        <source>a list of lists, each of %1 numbers</source>
+        <translation>列表的列表，每个含 %1 个数</translation>
+    </message>
 </context>
 <context>
     <name>TouchTexts</name>
@@ -14496,44 +14853,8 @@ Run teleta-site --help for more.
         <translation>状态 %1</translation>
     </message>
     <message>
-        <source>a serial port cannot run at %1 baud</source>
-        <translation>串口不支持 %1 波特</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>%1 之一</translation>
-    </message>
-    <message>
-        <source>cannot open %1: %2</source>
-        <translation>无法打开 %1：%2</translation>
-    </message>
-    <message>
-        <source>%1 is not a serial port</source>
-        <translation>%1 不是串口</translation>
-    </message>
-    <message>
-        <source>cannot find %1: %2</source>
-        <translation>找不到 %1：%2</translation>
-    </message>
-    <message>
         <source>connecting was cancelled</source>
         <translation>连接已取消</translation>
-    </message>
-    <message>
-        <source>cannot connect to %1: %2</source>
-        <translation>无法连接到 %1：%2</translation>
-    </message>
-    <message>
-        <source>The link failed: %1.</source>
-        <translation>链路故障：%1。</translation>
-    </message>
-    <message>
-        <source>The sensor closed the connection.</source>
-        <translation>传感器关闭了连接。</translation>
-    </message>
-    <message>
-        <source>The device was unplugged.</source>
-        <translation>设备已拔出。</translation>
     </message>
     <message>
         <source>an array of 1 to %1 rows and columns whose frame fits into one message</source>

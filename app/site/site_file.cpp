@@ -56,12 +56,14 @@ void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
     for (const char* key : {"camera", "recording"}) {
         if (table.has(key))
             table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
-                       SiteFileText::tr("file, wts or scene").toStdString());
+                       SiteFileText::tr("file, wts, taxels or scene").toStdString());
     }
     std::vector<app::SourceRequest> requests;
     core::TomlKeys keys(table);
-    app::describeSource(keys, table.has("wts") ? app::SourceKind::wts : app::SourceKind::scene, path,
-                        requests);
+    const app::SourceKind kind = table.has("wts")      ? app::SourceKind::wts
+                                 : table.has("taxels") ? app::SourceKind::taxels
+                                                       : app::SourceKind::scene;
+    app::describeSource(keys, kind, path, requests);
     keys.finish();
     for (app::SourceRequest& request : requests)
         site.devices.push_back({device.id, std::move(request)});

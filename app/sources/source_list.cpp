@@ -4,6 +4,8 @@
 #include "backend/core/beside_file.h"
 #include "backend/core/keys/toml_keys.h"
 #include "devices/camera/camera_device.h"
+#include "devices/link/link_address.h"
+#include "devices/taxels/taxels_file.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -98,7 +100,7 @@ void describeWts(Keys& keys, const std::string& listPath, WtsRequest& request) {
         request.config.address = std::move(*address);
     else
         refuse(keys, "wts", address.error());
-    if (auto* serial = std::get_if<wts::SerialAddress>(&request.config.address)) {
+    if (auto* serial = std::get_if<link::SerialAddress>(&request.config.address)) {
         serial->path = besideList(listPath, serial->path);
         keys.whole("baud", serial->baud, {9600, 4'000'000}, "Bits a second, of a serial port",
                    Need::optional);
@@ -129,6 +131,11 @@ void describeArm(Keys& keys, const std::string& listPath, ArmRequest& request) {
                  "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`)");
 }
 
+void describeTaxels(Keys& keys, const std::string& listPath, TaxelsRequest& request) {
+    describePath(keys, "taxels", listPath, request.path,
+                 "File that describes an array (`kind = \"taxels\"`, `\"magnetometers\"` or `\"xela\"`)");
+}
+
 template <typename Request>
 void add(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests,
          void (*describe)(Keys&, const std::string&, Request&)) {
@@ -146,6 +153,8 @@ SourceKind kindOf(core::TomlTable& table) {
         return SourceKind::camera;
     if (table.has("arm"))
         return SourceKind::arm;
+    if (table.has("taxels"))
+        return SourceKind::taxels;
     return isRecordingName(QString::fromStdString(table.text("recording"))) ? SourceKind::playback
                                                                             : SourceKind::recording;
 }
@@ -167,22 +176,32 @@ void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPa
         return add(keys, listPath, requests, describeCamera);
     case SourceKind::arm:
         return add(keys, listPath, requests, describeArm);
+    case SourceKind::taxels:
+        return add(keys, listPath, requests, describeTaxels);
     }
-}
-
-bool isSourceList(const std::string& path) {
-    const auto document = core::TomlDocument::open(path);
-    return document && document->root().has("source");
 }
 
 namespace {
 
+bool isOfKind(const core::TomlDocument& document, std::string_view kind) {
+    return document.root().text("kind", std::string()) == kind;
+}
+
+bool describesArray(const core::TomlDocument& document) {
+    return isOfKind(document, "taxels") || isOfKind(document, "magnetometers") || isOfKind(document, "xela");
+}
+
 bool hasKind(const std::string& path, std::string_view kind) {
     const auto document = core::TomlDocument::open(path);
-    return document && document->root().text("kind", std::string()) == kind;
+    return document && isOfKind(*document, kind);
 }
 
 } // namespace
+
+bool isSourceList(const std::string& path) {
+    const auto document = core::TomlDocument::open(path);
+    return document && (document->root().has("source") || describesArray(*document));
+}
 
 bool isArmFile(const std::string& path) {
     return hasKind(path, "ros_arm");
@@ -196,6 +215,11 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     TELETA_TRY(auto document, core::TomlDocument::open(path));
     core::TomlTable root = document.root();
     std::vector<SourceRequest> requests;
+    if (describesArray(document)) {
+        TELETA_CHECK(taxels::readTaxels(path));
+        requests.emplace_back(TaxelsRequest{path});
+        return requests;
+    }
     for (core::TomlTable& table : root.tables("source", 1)) {
         core::TomlKeys keys(table);
         describeSource(keys, kindOf(table), path, requests);

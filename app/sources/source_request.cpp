@@ -17,12 +17,16 @@
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/vision/calibration/camera_file.h"
 #include "devices/camera/camera_device.h"
+#include "devices/link/link_address.h"
 #include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
 #include "devices/simulated/simulated_camera_device.h"
+#include "devices/taxels/taxels_device.h"
+#include "devices/taxels/taxels_file.h"
+#include "devices/taxels/taxels_probe.h"
 #include "devices/wts/wts_device.h"
 
 #include <QFileInfo>
@@ -163,13 +167,23 @@ core::Expected<Opened> openWts(const WtsRequest& request) {
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
 }
 
+core::Expected<Opened> openTaxels(const TaxelsRequest& request, const std::function<bool()>& cancelled) {
+    TELETA_TRY(auto file, taxels::readTaxels(request.path));
+    pipeline::ChannelSettings settings = settingsFor(file.touchedFrom(), file.grid.unit());
+    if (file.restFrames > 0) {
+        TELETA_TRY(settings.conditioning.tare, taxels::measureRest(file, cancelled));
+    }
+    TELETA_TRY(auto source, taxels::TaxelsDevice::open(std::move(file)));
+    return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
+}
+
 /// The name of the link, or else nothing.
 QString linkOf(const SourceRequest& request) {
     if (const auto* camera = std::get_if<CameraRequest>(&request);
         camera && camera::isCameraNumber(camera->source))
         return QStringLiteral("/dev/video") + QString::fromStdString(camera->source);
     const auto* connected = std::get_if<WtsRequest>(&request);
-    return connected != nullptr ? QString::fromStdString(wts::displayName(connected->config.address))
+    return connected != nullptr ? QString::fromStdString(link::displayName(connected->config.address))
                                 : QString();
 }
 
@@ -184,6 +198,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(arm->path);
     if (const auto* remote = std::get_if<SiteRequest>(&request))
         return QString::fromStdString(remote->path);
+    if (const auto* described = std::get_if<TaxelsRequest>(&request))
+        return QString::fromStdString(described->path);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -227,6 +243,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openRosArm(*arm, stop, cancelled);
         if (const auto* remote = std::get_if<SiteRequest>(&request))
             return openRemote(site, *remote);
+        if (const auto* described = std::get_if<TaxelsRequest>(&request))
+            return openTaxels(*described, cancelled);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

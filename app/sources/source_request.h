@@ -56,13 +56,18 @@ struct CameraRequest {
     bool loop = true;      ///< of a file
 };
 
+/// An array that a file describes.
+struct TaxelsRequest {
+    std::string path; ///< the file, see taxels::readTaxels()
+};
+
 /// An arm over ROS 2.
 struct ArmRequest {
     std::string path; ///< the file that describes it, see ros_arm::readRosArm()
 };
 
 using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest,
-                                   ArmRequest, SiteRequest>;
+                                   ArmRequest, SiteRequest, TaxelsRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);

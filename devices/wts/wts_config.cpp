@@ -46,11 +46,4 @@ core::Expected<WtsAddress> parseWtsAddress(std::string_view text, int baud) {
     return TcpAddress{std::string(host), port};
 }
 
-std::string displayName(const WtsAddress& address) {
-    if (const auto* tcp = std::get_if<TcpAddress>(&address))
-        return tcp->host + ':' + std::to_string(tcp->port);
-    const std::string& path = std::get<SerialAddress>(address).path;
-    return path.substr(path.rfind('/') + 1);
-}
-
 } // namespace teleta::wts

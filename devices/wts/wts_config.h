@@ -2,39 +2,24 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "devices/link/link_address.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
-#include <variant>
 
 namespace teleta::wts {
 
 inline constexpr std::int64_t kMs_ns = 1'000'000;
 
-struct SerialAddress {
-    std::string path;
-    int baud = 115200; ///< one that the system knows: 9600 .. 4000000
-
-    bool operator==(const SerialAddress&) const = default;
-};
-
-struct TcpAddress {
-    std::string host; ///< name or number; IPv6 without brackets
-    std::uint16_t port = 0;
-
-    bool operator==(const TcpAddress&) const = default;
-};
-
-using WtsAddress = std::variant<SerialAddress, TcpAddress>;
+using SerialAddress = link::SerialAddress;
+using TcpAddress = link::TcpAddress;
+/// A serial port or a TCP connection.
+using WtsAddress = link::Address;
 
 /// "tcp://HOST:PORT" (IPv6 as tcp://[::1]:PORT), else the path of a serial port, at this baud rate.
 /// Error: badInput with what was expected; the place is the caller's.
 [[nodiscard]] core::Expected<WtsAddress> parseWtsAddress(std::string_view text, int baud = 115200);
-
-/// "ttyUSB0" or "host:port": the name under which people know the link.
-[[nodiscard]] std::string displayName(const WtsAddress& address);
 
 /// Timeouts in ms; all > 0 unless 0 has a meaning.
 struct WtsTimes {

@@ -54,7 +54,7 @@ double nominalRate_Hz(const WtsConfig& config, const MatrixInfo& matrix) {
 core::Expected<std::unique_ptr<WtsDevice>> WtsDevice::open(WtsConfig config) {
     TELETA_TRY(auto session, WtsSession::open(config, nullptr));
     const MatrixInfo& matrix = session.matrix();
-    core::SourceDescription description{.name = displayName(config.address),
+    core::SourceDescription description{.name = link::displayName(config.address),
                                         .layout = {matrix.rows, matrix.columns, matrix.cellWidth_10um / 1e5},
                                         .unit = "counts",
                                         .nominalRate_Hz = nominalRate_Hz(config, matrix)};
@@ -79,7 +79,7 @@ WtsDevice::WtsDevice(WtsSession session, core::SourceDescription description, Wt
 void WtsDevice::open(core::Wakeup& consumer) {
     m_wake.clear();
     m_begin_ns = core::steadyNow_ns();
-    m_clock = FrameClock(m_config.timestampUnit_s);
+    m_clock = link::FrameClock(m_config.timestampUnit_s);
     m_counters = {};
     m_closedLines = {};
     m_tarePending = m_config.tare;
@@ -161,16 +161,16 @@ std::string WtsDevice::stream(const std::stop_token& stop) {
             deadline_ns =
                 std::min(deadline_ns, m_session->readTime_ns() + m_config.times.lineSilence_ms * kMs_ns);
         switch (m_session->receive(deadline_ns, &m_wake)) {
-        case WtsLink::Outcome::done:
+        case link::ByteLink::Outcome::done:
             deliverFrames(Rest::mayCome);
             break;
-        case WtsLink::Outcome::timedOut:
+        case link::ByteLink::Outcome::timedOut:
             if (core::steadyNow_ns() >= m_session->readTime_ns() + m_config.times.lineSilence_ms * kMs_ns)
                 deliverFrames(Rest::willNotCome);
             break;
-        case WtsLink::Outcome::woken:
+        case link::ByteLink::Outcome::woken:
             break;
-        case WtsLink::Outcome::gone:
+        case link::ByteLink::Outcome::gone:
             deliverFrames(Rest::willNotCome);
             return m_session->goneReason();
         }
@@ -199,7 +199,7 @@ void WtsDevice::appendFrame(const Message& message, core::SampleBlock& block) {
         return;
     }
     const std::int64_t time_ns = m_session->readTime_ns();
-    const FrameClock::Step step =
+    const link::FrameClock::Step step =
         m_clock.advance(*timestamp, static_cast<double>(time_ns - m_begin_ns) * 1e-9);
     if (step.lost > 0 || step.restarted) {
         deliver(block);

@@ -7,8 +7,8 @@
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
 #include "backend/core/threads/latest_copy.h"
-#include "devices/wts/frame_clock.h"
-#include "devices/wts/wake_pipe.h"
+#include "devices/link/frame_clock.h"
+#include "devices/link/wake_pipe.h"
 #include "devices/wts/wts_config.h"
 #include "devices/wts/wts_session.h"
 
@@ -82,11 +82,11 @@ private:
     std::int64_t m_lostAfter_ns;
     core::SourceOutlet m_outlet;
     core::LatestCopy<WtsCounters> m_published;
-    WakePipe m_wake;
+    link::WakePipe m_wake;
 
     // The worker's own.
     std::unique_ptr<WtsSession> m_session;
-    FrameClock m_clock;
+    link::FrameClock m_clock;
     WtsCounters m_counters;
     MessageDecoder::Counters m_closedLines; ///< of the connections before this one
     std::vector<float> m_values;

@@ -16,7 +16,7 @@ namespace teleta::wts {
 
 namespace {
 
-using Outcome = WtsLink::Outcome;
+using Outcome = link::ByteLink::Outcome;
 
 constexpr std::size_t kLargestAnswer = 256;
 constexpr std::size_t kLargestPayload = 0xFFFF;
@@ -69,8 +69,8 @@ std::string describe(Status status) {
     return text.toStdString();
 }
 
-core::Expected<WtsSession> WtsSession::open(const WtsConfig& config, const WakePipe* wake) {
-    TELETA_TRY(auto link, WtsLink::open(config.address, deadlineIn(config.times.connect_ms), wake));
+core::Expected<WtsSession> WtsSession::open(const WtsConfig& config, const link::WakePipe* wake) {
+    TELETA_TRY(auto link, link::ByteLink::open(config.address, deadlineIn(config.times.connect_ms), wake));
     WtsSession session(std::move(link), config);
     // It does not matter whether frames were running, only that the sensor answers.
     TELETA_CHECK(
@@ -79,7 +79,7 @@ core::Expected<WtsSession> WtsSession::open(const WtsConfig& config, const WakeP
     return session;
 }
 
-core::Expected<void> WtsSession::readMatrix(const WakePipe* wake) {
+core::Expected<void> WtsSession::readMatrix(const link::WakePipe* wake) {
     TELETA_CHECK(demand(encodeRequest(Command::matrixInfo), m_config.times.answer_ms, kAttempts, wake));
     const std::optional<MatrixInfo> matrix = readMatrixInfo(m_answer);
     if (!matrix)
@@ -92,13 +92,13 @@ core::Expected<void> WtsSession::readMatrix(const WakePipe* wake) {
     return {};
 }
 
-core::Expected<void> WtsSession::tare(const WakePipe* wake) {
+core::Expected<void> WtsSession::tare(const link::WakePipe* wake) {
     // 1: take the values now as zero; 0 would undo that.
     const std::array<std::uint8_t, 1> params{1};
     return demand(encodeRequest(Command::tare, params), m_config.times.tare_ms, 1, wake);
 }
 
-core::Expected<void> WtsSession::startFrames(const WakePipe* wake) {
+core::Expected<void> WtsSession::startFrames(const link::WakePipe* wake) {
     const std::vector<std::uint8_t> start = encodeStartFrames(m_config.runLength, m_config.delay_ms);
     TELETA_TRY(const auto status, request(start, m_config.times.answer_ms, kAttempts, wake));
     // If it already runs, the answer to the first attempt was lost; the settings are those requested.
@@ -114,7 +114,7 @@ void WtsSession::stopFrames() {
     (void)request(encodeRequest(Command::stopFrames), m_config.times.answer_ms, 1, nullptr);
 }
 
-Outcome WtsSession::receive(std::int64_t deadline_ns, const WakePipe* wake) {
+Outcome WtsSession::receive(std::int64_t deadline_ns, const link::WakePipe* wake) {
     std::size_t count = 0;
     const Outcome outcome = m_link.read(m_read, count, deadline_ns, wake);
     if (outcome == Outcome::done) {
@@ -125,7 +125,7 @@ Outcome WtsSession::receive(std::int64_t deadline_ns, const WakePipe* wake) {
 }
 
 core::Expected<Status> WtsSession::request(std::span<const std::uint8_t> bytes, int answer_ms, int attempts,
-                                           const WakePipe* wake) {
+                                           const link::WakePipe* wake) {
     const std::uint8_t id = bytes[kPreambleBytes];
     for (int attempt = 0; attempt < attempts; ++attempt) {
         const std::int64_t deadline_ns = deadlineIn(answer_ms);
@@ -159,7 +159,7 @@ core::Expected<Status> WtsSession::request(std::span<const std::uint8_t> bytes, 
 }
 
 core::Expected<void> WtsSession::demand(std::span<const std::uint8_t> bytes, int answer_ms, int attempts,
-                                        const WakePipe* wake) {
+                                        const link::WakePipe* wake) {
     TELETA_TRY(const auto status, request(bytes, answer_ms, attempts, wake));
     if (status != Status::success)
         return core::failed(

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "devices/link/byte_link.h"
 #include "devices/wts/wts_codec.h"
 #include "devices/wts/wts_config.h"
 #include "devices/wts/wts_decoder.h"
-#include "devices/wts/wts_link.h"
 
 #include <array>
 #include <cstddef>
@@ -25,37 +25,37 @@ namespace teleta::wts {
 class WtsSession {
 public:
     /// Connects, ends a transfer that an earlier program may have left running, and asks for the array.
-    /// Error: as WtsLink::open; unavailable when nothing answers, or the sensor refuses; refused for an array
-    /// without square cells or larger than core::ArrayLayout and one message allow.
-    [[nodiscard]] static core::Expected<WtsSession> open(const WtsConfig& config, const WakePipe* wake);
+    /// Error: as link::ByteLink::open; unavailable when nothing answers, or the sensor refuses; refused for
+    /// an array without square cells or larger than core::ArrayLayout and one message allow.
+    [[nodiscard]] static core::Expected<WtsSession> open(const WtsConfig& config, const link::WakePipe* wake);
 
     [[nodiscard]] const MatrixInfo& matrix() const { return m_matrix; }
 
     /// The sensor takes what it feels now as unloaded.
-    [[nodiscard]] core::Expected<void> tare(const WakePipe* wake);
-    [[nodiscard]] core::Expected<void> startFrames(const WakePipe* wake);
+    [[nodiscard]] core::Expected<void> tare(const link::WakePipe* wake);
+    [[nodiscard]] core::Expected<void> startFrames(const link::WakePipe* wake);
     /// Asks the sensor to be silent; waits for its answer, though not for long.
     void stopFrames();
 
     /// Waits for bytes of the sensor and feeds the decoder; readTime_ns() is then the time of the read.
-    [[nodiscard]] WtsLink::Outcome receive(std::int64_t deadline_ns, const WakePipe* wake);
+    [[nodiscard]] link::ByteLink::Outcome receive(std::int64_t deadline_ns, const link::WakePipe* wake);
     [[nodiscard]] std::int64_t readTime_ns() const { return m_readTime_ns; }
     [[nodiscard]] MessageDecoder& decoder() { return m_decoder; }
     [[nodiscard]] const std::string& goneReason() const { return m_link.goneReason(); }
 
 private:
-    WtsSession(WtsLink link, const WtsConfig& config)
+    WtsSession(link::ByteLink link, const WtsConfig& config)
         : m_link(std::move(link))
         , m_config(config) {}
 
-    [[nodiscard]] core::Expected<void> readMatrix(const WakePipe* wake);
+    [[nodiscard]] core::Expected<void> readMatrix(const link::WakePipe* wake);
     [[nodiscard]] core::Expected<Status> request(std::span<const std::uint8_t> bytes, int answer_ms,
-                                                 int attempts, const WakePipe* wake);
+                                                 int attempts, const link::WakePipe* wake);
     [[nodiscard]] core::Expected<void> demand(std::span<const std::uint8_t> bytes, int answer_ms,
-                                              int attempts, const WakePipe* wake);
-    [[nodiscard]] core::Unexpected failure(WtsLink::Outcome outcome) const;
+                                              int attempts, const link::WakePipe* wake);
+    [[nodiscard]] core::Unexpected failure(link::ByteLink::Outcome outcome) const;
 
-    WtsLink m_link;
+    link::ByteLink m_link;
     WtsConfig m_config;
     MessageDecoder m_decoder;
     MatrixInfo m_matrix;

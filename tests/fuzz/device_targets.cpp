@@ -5,6 +5,8 @@
 #include "devices/modbus/register_map.h"
 #include "devices/mouse3d/mouse3d_reports.h"
 #include "devices/ros/ros_arm_file.h"
+#include "devices/taxels/frames/frame_decoder.h"
+#include "devices/taxels/taxels_file.h"
 #include "devices/wts/wts_codec.h"
 #include "devices/wts/wts_config.h"
 #include "devices/wts/wts_decoder.h"
@@ -12,6 +14,7 @@
 #include "tests/fuzz/fuzz_targets.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -96,6 +99,107 @@ bool wtsFrames(Bytes bytes) {
     messages += drain(decoder, wts::MessageDecoder::Rest::willNotCome);
     require(decoder.pendingBytes() == 0, "nothing waits at the end");
     return messages > 0;
+}
+
+namespace {
+
+/// In pieces whose sizes are taken from the bytes; the account of the bytes has to close at each.
+std::size_t decodeInPieces(const taxels::FrameFormat& format, taxels::FrameDecoder::Framing framing,
+                           Bytes bytes) {
+    using taxels::FrameDecoder;
+    const auto decoder = taxels::makeDecoder(format, framing);
+    const std::size_t values = taxels::valuesOf(format);
+    taxels::DecodedFrame frame;
+    std::size_t frames = 0;
+    std::uint64_t end = 0;
+    const auto drain = [&](FrameDecoder::Rest rest) {
+        for (; decoder->next(frame, rest); ++frames) {
+            require(frame.values.size() >= values, "a frame has all its values");
+            require(std::ranges::all_of(frame.values, [](float value) { return std::isfinite(value); }),
+                    "a value is a number");
+            require(decoder->frameBegin() >= end, "frames follow each other");
+            end = decoder->frameBegin() + decoder->frameSize();
+        }
+    };
+    for (std::size_t begin = 0; begin < bytes.size();) {
+        const std::size_t count = std::min<std::size_t>(1 + bytes[begin], bytes.size() - begin);
+        decoder->feed(bytes.subspan(begin, count));
+        drain(FrameDecoder::Rest::mayCome);
+        begin += count;
+        const FrameDecoder::Counters& counted = decoder->counters();
+        require(counted.frameBytes + counted.droppedBytes + decoder->pendingBytes() == begin,
+                "the account of the bytes closes");
+        require(end <= begin, "a frame is among the bytes");
+    }
+    drain(FrameDecoder::Rest::willNotCome);
+    require(decoder->pendingBytes() == 0, "nothing waits at the end");
+    return frames;
+}
+
+/// Formats of all encodings and of each way to find a frame.
+std::vector<taxels::FrameFormat> knownFormats() {
+    using namespace taxels;
+    BinaryFormat fixed;
+    fixed.sync = {0xAA, 0x55};
+    fixed.length = 9;
+    fixed.checksum = {.type = ChecksumType::sum8, .at = -1, .from = 2, .to = -1};
+    fixed.counter = NumberField{.at = 2};
+    fixed.time = TimeField{.field = {.at = 3, .type = NumberType::uint16}};
+    fixed.values = {.field = {.at = 5, .type = NumberType::uint8}, .count = 3};
+    BinaryFormat counted;
+    counted.sync = {0x7E};
+    counted.end = {0x0A};
+    counted.lengthField = LengthField{.field = {.at = 1, .type = NumberType::uint16}};
+    counted.values = {.field = {.at = -5, .type = NumberType::int16}, .count = 2};
+    BinaryFormat skin;
+    skin.end = {0x0D, 0x0A};
+    skin.length = 34;
+    skin.values = {.field = {.at = 4, .type = NumberType::float32}, .count = 6, .perGroup = 3, .stride = 16};
+    skin.others = {{.field = {.at = 0, .type = NumberType::float32}, .count = 2, .stride = 16}};
+    return {fixed,
+            counted,
+            skin,
+            CsvFormat{.skip = 0, .firstColumn = 2, .lastColumn = 3, .timeColumn = 1},
+            JsonFormat{.values = "/v", .time = "/t", .count = 2},
+            JsonFormat{.values = "/1/data", .hex = true, .count = 3}};
+}
+
+} // namespace
+
+// All formats read the same bytes.
+bool taxelStream(Bytes bytes) {
+    std::size_t frames = 0;
+    for (const taxels::FrameFormat& format : knownFormats()) {
+        frames += decodeInPieces(format, taxels::FrameDecoder::Framing::stream, bytes);
+        frames += decodeInPieces(format, taxels::FrameDecoder::Framing::datagrams, bytes);
+    }
+    return frames > 0;
+}
+
+// A description, and what it makes of its own text as bytes.
+bool taxelsFile(Bytes bytes) {
+    // By its bits: comparing NaN would raise what the traps of these tests wait for.
+    const auto isTaxel = [](float load) {
+        constexpr std::uint32_t kNotFinite = 0x7F80'0000U;
+        return (std::bit_cast<std::uint32_t>(load) & kNotFinite) != kNotFinite;
+    };
+    const core::Expected<taxels::TaxelsFile> file = taxels::parseTaxels(textOf(bytes), kInput);
+    if (!file) {
+        requireExplained(file.error());
+        return false;
+    }
+    require(!file->name.empty(), "an array has a name");
+    require(taxels::valuesOf(file->format) == file->grid.values(), "a frame has the numbers of the layout");
+    require(file->touchedFrom() > 0.0, "a threshold is positive");
+    constexpr std::size_t kMostShown = 4096;
+    if (file->grid.values() <= kMostShown) {
+        (void)decodeInPieces(file->format, taxels::FrameDecoder::Framing::stream, bytes);
+        std::vector<float> loads(file->grid.layout().taxels(), kUntouched);
+        file->grid.place(std::vector<float>(file->grid.values(), 1.0F), loads);
+        require(static_cast<std::size_t>(std::ranges::count_if(loads, isTaxel)) == file->grid.taxels(),
+                "each taxel has a place of its own");
+    }
+    return true;
 }
 
 bool hidReports(Bytes bytes) {

@@ -51,6 +51,8 @@ const std::map<std::string, Target>& targets() {
         {"site_streams", siteStreams},
         {"study_protocol", studyProtocol},
         {"study_scene", studyScene},
+        {"taxel_stream", taxelStream},
+        {"taxels_file", taxelsFile},
         {"touch_csv", touchCsv},
         {"trial_csv", trialCsv},
         {"trial_journal", trialJournal},

@@ -58,6 +58,7 @@ bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
 bool rosArmFile(Bytes bytes);
+bool taxelsFile(Bytes bytes);
 bool urdf(Bytes bytes);
 bool sitePermissions(Bytes bytes);
 bool siteGovernance(Bytes bytes);
@@ -68,6 +69,7 @@ bool siteStreams(Bytes bytes);
 
 // What devices send.
 bool wtsFrames(Bytes bytes);
+bool taxelStream(Bytes bytes); ///< of described arrays
 bool hidReports(Bytes bytes);
 bool rosJointStates(Bytes bytes); ///< messages in a form of the test, as the middleware hands them over
 

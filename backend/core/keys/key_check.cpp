@@ -53,6 +53,13 @@ void KeyCheck::list(std::string_view key, std::vector<double>& values, const Num
         number(key, value, range, {}, Need::required);
 }
 
+void KeyCheck::rows(std::string_view key, std::vector<std::vector<double>>& values, const NumberRange& range,
+                    std::size_t, std::size_t, std::string_view, Need) {
+    for (std::vector<double>& row : values)
+        for (double& value : row)
+            number(key, value, range, {}, Need::required);
+}
+
 void KeyCheck::wholeNumber(std::string_view key, long long& value, const WholeRange& range, std::string_view,
                            Need) {
     if (!range.accepts(value))

@@ -23,6 +23,9 @@ public:
                  const NumberRange& range, std::string_view about, Need need) override;
     void list(std::string_view key, std::vector<double>& values, const NumberRange& range,
               const WholeRange& count, std::string_view about, Need need) override;
+    void rows(std::string_view key, std::vector<std::vector<double>>& values, const NumberRange& range,
+              std::size_t count, std::size_t perRow, std::string_view about, Need need) override;
+    void texts(std::string_view, std::vector<std::string>&, std::string_view, Need) override {}
     void flag(std::string_view, bool&, std::string_view) override {}
     void text(std::string_view, std::string&, std::string_view, Need) override {}
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,

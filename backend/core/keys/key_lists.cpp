@@ -19,6 +19,17 @@ void describeList(Keys& keys, std::string_view key, std::vector<double>& values,
     dynamic_cast<KeyLists&>(keys).list(key, values, range, count, about, need);
 }
 
+void describeRows(Keys& keys, std::string_view key, std::vector<std::vector<double>>& values,
+                  const NumberRange& range, std::size_t count, std::size_t perRow, std::string_view about,
+                  Need need) {
+    dynamic_cast<KeyLists&>(keys).rows(key, values, range, count, perRow, about, need);
+}
+
+void describeTexts(Keys& keys, std::string_view key, std::vector<std::string>& values, std::string_view about,
+                   Need need) {
+    dynamic_cast<KeyLists&>(keys).texts(key, values, about, need);
+}
+
 std::string listText(const NumberRange& range, const WholeRange& count) {
     const QString each = QString::fromStdString(range.text());
     return (count.low == count.high

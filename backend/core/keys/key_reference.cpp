@@ -130,6 +130,23 @@ void KeyReference::list(std::string_view key, std::vector<double>& values, const
         fallback.empty() ? "—" : code('[' + fallback + ']'), about);
 }
 
+void KeyReference::rows(std::string_view key, std::vector<std::vector<double>>&, const NumberRange& range,
+                        std::size_t, std::size_t perRow, std::string_view about, Need need) {
+    std::string row;
+    for (std::size_t i = 0; i < perRow; ++i)
+        row += (i > 0 ? ", " : "") + m_words.number;
+    add(key, m_words.list + ", [" + row + "], " + rangeText(range, m_words), need, "—", about);
+}
+
+void KeyReference::texts(std::string_view key, std::vector<std::string>& values, std::string_view about,
+                         Need need) {
+    std::string fallback;
+    for (const std::string& value : values)
+        fallback += (fallback.empty() ? "\"" : ", \"") + value + '"';
+    add(key, m_words.list + ", " + m_words.text, need, fallback.empty() ? "—" : code('[' + fallback + ']'),
+        about);
+}
+
 void KeyReference::flag(std::string_view key, bool& value, std::string_view about) {
     add(key, "`true`, `false`", Need::optional, code(value ? "true" : "false"), about);
 }

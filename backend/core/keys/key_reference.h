@@ -55,6 +55,10 @@ public:
                  const NumberRange& range, std::string_view about, Need need) override;
     void list(std::string_view key, std::vector<double>& values, const NumberRange& range,
               const WholeRange& count, std::string_view about, Need need) override;
+    void rows(std::string_view key, std::vector<std::vector<double>>& values, const NumberRange& range,
+              std::size_t count, std::size_t perRow, std::string_view about, Need need) override;
+    void texts(std::string_view key, std::vector<std::string>& values, std::string_view about,
+               Need need) override;
     void flag(std::string_view key, bool& value, std::string_view about) override;
     void text(std::string_view key, std::string& value, std::string_view about, Need need) override;
     void choose(std::string_view key, std::size_t value, const KeyNames& names, std::string_view about,

@@ -47,6 +47,17 @@ void TomlKeys::list(std::string_view key, std::vector<double>& values, const Num
         values = m_table.numberList(key, range, count);
 }
 
+void TomlKeys::rows(std::string_view key, std::vector<std::vector<double>>& values, const NumberRange& range,
+                    std::size_t count, std::size_t perRow, std::string_view, Need need) {
+    if (need == Need::required || m_table.has(key))
+        values = m_table.numberRows(key, range, count, perRow);
+}
+
+void TomlKeys::texts(std::string_view key, std::vector<std::string>& values, std::string_view, Need need) {
+    if (need == Need::required || m_table.has(key))
+        values = m_table.textList(key);
+}
+
 void TomlKeys::flag(std::string_view key, bool& value, std::string_view) {
     value = m_table.boolean(key, value);
 }

@@ -250,9 +250,12 @@ std::vector<std::vector<double>> TomlTable::numberRows(std::string_view key, con
         return row.is_array() && row.as_array()->size() == perRow;
     };
     const toml::array* array = node->as_array();
-    if (array == nullptr || array->size() != rows || !std::ranges::all_of(*array, isRow)) {
+    if (array == nullptr || array->empty() || (rows > 0 && array->size() != rows) ||
+        !std::ranges::all_of(*array, isRow)) {
         m_data->wrongType(key, *node,
-                          TomlReader::tr("a list of %1 lists, each of %2 numbers").arg(rows).arg(perRow));
+                          rows > 0
+                              ? TomlReader::tr("a list of %1 lists, each of %2 numbers").arg(rows).arg(perRow)
+                              : TomlReader::tr("a list of lists, each of %1 numbers").arg(perRow));
         return {};
     }
     std::vector<std::vector<double>> values;
@@ -408,7 +411,8 @@ SourcePlace TomlTable::place(std::string_view key) const {
 }
 
 void TomlTable::fail(std::string_view key, std::string message, std::string expected) {
-    if (!m_data->document->error)
+    // That a table is missing says it all.
+    if (!m_data->document->error && m_data->table != nullptr)
         m_data->document->error =
             Error{ErrorKind::badInput, std::move(message), std::move(expected), place(key)};
 }

@@ -62,7 +62,8 @@ public:
     /// there.
     [[nodiscard]] std::vector<double> numberList(std::string_view key, const NumberRange& range,
                                                  const WholeRange& count);
-    /// A list of such lists, each of perRow numbers: key = [[1, 2], [3, 4]]. Must be there.
+    /// A list of such lists, each of perRow numbers: key = [[1, 2], [3, 4]]. rows 0: as many as
+    /// there are, at least one. Must be there.
     [[nodiscard]] std::vector<std::vector<double>> numberRows(std::string_view key, const NumberRange& range,
                                                               std::size_t rows, std::size_t perRow);
     /// A list of texts that are not empty, key = ["a", "b"]; empty when the key is missing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command against a Modbus server that somebody else wrote.
+// The command against a Modbus server that somebody else wrote, and a board in Python.
 #include "tests/app/cli/program_run.h"
+#include "tests/devices/taxels/board.h"
 #include "tests/support/peer_process.h"
 
 #include <gtest/gtest.h>
@@ -53,4 +54,52 @@ TEST(DevicesCommandPeer, readsTheInputsAndMeasuresTheRates) {
 
     const ProgramResult table = teleta::test::run({"devices", "--probe", file});
     EXPECT_NE(table.out.find("12.5 V"), std::string::npos) << table.out;
+}
+
+TEST(DevicesCommandPeer, showsWhatADescribedArraySends) {
+    TemporaryFolder folder;
+    const std::string file = folder.write(
+        "glove.toml",
+        "kind = 'taxels'\nname = 'glove'\nthreshold = 5\n[link]\ntype = 'file'\npath = 'bytes.bin'\n"
+        "[layout]\nrows = 6\ncolumns = 14\npitch_x_mm = 3.4\n[frame]\nencoding = 'binary'\nsync = 'AA 55'\n"
+        "length = 179\nchecksum = { type = 'crc16-ccitt' }\n"
+        "values = { at = 9, type = 'uint16', count = 84 }\n");
+    {
+        teleta::taxels::test::Board board("file", "counted", folder.path("bytes.bin"));
+        ASSERT_TRUE(board.command("write noise:0041 7 flip:8 9"));
+    }
+    const ProgramResult result = teleta::test::run({"devices", "--probe", file, "--bytes", "181", "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json device = ordered_json::parse(result.out, nullptr, false)["devices"][0];
+    EXPECT_EQ(device["kind"], "taxels");
+    EXPECT_EQ(device["name"], "glove");
+    const ordered_json& stream = device["stream"];
+    EXPECT_EQ(stream["frames"], 2);
+    EXPECT_EQ(stream["wrong_checksums"], 1);
+    EXPECT_EQ(stream["dropped_bytes"], 2 + 179);
+    EXPECT_EQ(stream["unit"], "counts");
+    EXPECT_EQ(stream["frames_found"], ordered_json::parse(R"([{"begin":2,"bytes":179}])"));
+    EXPECT_EQ(stream["bytes_hex"].get<std::string>().substr(0, 8), "0041AA55");
+    EXPECT_EQ(stream["bytes_hex"].get<std::string>().size(), 2 * 181U);
+    EXPECT_EQ(stream["first_frame"][3], 7 * 131 + 3);
+
+    const ProgramResult table = teleta::test::run({"devices", "--probe", file, "--bytes", "16"});
+    EXPECT_EQ(table.exitCode, 0) << table.err;
+    EXPECT_NE(table.out.find("000000  00 41>AA 55"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("First frame in counts"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("917"), std::string::npos) << table.out;
+
+    const std::string silent =
+        folder.write("silent.toml", std::string("kind = 'taxels'\nname = 'glove'\n") +
+                                        "[link]\ntype = 'file'\npath = 'nothing.bin'\n"
+                                        "[layout]\nrows = 1\ncolumns = 2\npitch_x_mm = "
+                                        "3.4\nunit = 'N'\n[frame]\nencoding = "
+                                        "'csv'\ncolumns = '1..2'\n");
+    const ProgramResult missing = teleta::test::run({"devices", "--probe", silent});
+    EXPECT_EQ(missing.exitCode, 1);
+    EXPECT_NE(missing.err.find("nothing.bin"), std::string::npos) << missing.err;
+    folder.write("nothing.bin", "no numbers\n");
+    const ProgramResult none = teleta::test::run({"devices", "--probe", silent});
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_NE(none.err.find("no frame"), std::string::npos) << none.err;
 }

@@ -36,6 +36,9 @@ file = "arm.toml"
 id = "pad"
 wts = "/dev/ttyUSB0"
 [[device]]
+id = "glove"
+taxels = "glove.toml"
+[[device]]
 id = "practice"
 scene = ":/scenes/teleoperation.toml"
 )",
@@ -48,13 +51,14 @@ scene = ":/scenes/teleoperation.toml"
     EXPECT_TRUE(file->record);
     ASSERT_TRUE(file->meeting.security);
     EXPECT_EQ(file->meeting.security->folder, "/files/keys/site");
-    ASSERT_EQ(file->devices.size(), 3U);
+    ASSERT_EQ(file->devices.size(), 4U);
     EXPECT_EQ(file->devices[0].id, "arm");
     EXPECT_EQ(std::get<app::ArmRequest>(file->devices[0].request).path, "/files/arm.toml");
     EXPECT_EQ(file->devices[1].id, "pad");
     EXPECT_TRUE(std::holds_alternative<app::WtsRequest>(file->devices[1].request));
-    EXPECT_EQ(file->devices[2].id, "practice");
-    EXPECT_TRUE(std::holds_alternative<app::SceneRequest>(file->devices[2].request));
+    EXPECT_EQ(std::get<app::TaxelsRequest>(file->devices[2].request).path, "/files/glove.toml");
+    EXPECT_EQ(file->devices[3].id, "practice");
+    EXPECT_TRUE(std::holds_alternative<app::SceneRequest>(file->devices[3].request));
 }
 
 TEST(SiteFile, leasesHaveBoundsAndDefaults) {

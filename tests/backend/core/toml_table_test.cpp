@@ -162,6 +162,16 @@ TEST(TomlTable, keepsTheFirstErrorAndReadsOnWithStandIns) {
     EXPECT_EQ(error, "f.toml:1:5: wrong type for \"a\" (expected a finite number)");
 }
 
+TEST(TomlTable, aMissingTableHasNoOtherErrors) {
+    const std::string error = errorOf("a = 1", [](TomlTable& root) {
+        EXPECT_EQ(root.number("a", NumberRange::any()), 1.0);
+        TomlTable missing = root.table("t");
+        missing.fail("n", "what is not there is wrong", "");
+        missing.finish();
+    });
+    EXPECT_EQ(error, "f.toml: \"t\" is missing");
+}
+
 TEST(TomlDocument, placesASyntaxErrorAndTellsAMissingFileFromAnEmptyOne) {
     const auto wrong = TomlDocument::parse("a = 1\nb = = 2\n", "f.toml");
     ASSERT_FALSE(wrong);

@@ -4,6 +4,7 @@
 #include "app/cli/base/options.h"
 #include "app/cli/commands/devices/device_files.h"
 #include "app/cli/commands/devices/devices_commands.h"
+#include "app/cli/commands/devices/taxels_report.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/data/sample_block.h"
 #include "backend/core/failure.h"
@@ -13,9 +14,13 @@
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/camera/camera_list.h"
+#include "devices/link/link_address.h"
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_probe.h"
 #include "devices/mouse3d/hid_input.h"
+#include "devices/taxels/magnetometers_file.h"
+#include "devices/taxels/taxels_file.h"
+#include "devices/taxels/taxels_probe.h"
 #include "devices/wts/wts_device.h"
 
 #include <QCoreApplication>
@@ -47,13 +52,14 @@ struct DeviceValue {
 
 /// A device that was found, or one that was looked for and not found.
 struct FoundDevice {
-    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera
+    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera, taxels, magnetometers, xela
     std::string name;
     std::string where;                    ///< path or address
     std::optional<core::Error> error{};   ///< why it cannot be used; nothing: it is connected
     std::optional<double> frameRate_Hz{}; ///< frames of the motors, the array or the camera a second
     std::optional<double> inputRate_Hz{}; ///< readings of all inputs a second
     std::vector<DeviceValue> values{};
+    std::optional<TaxelsReport> stream{}; ///< of a described array
 };
 
 template <typename T>
@@ -193,23 +199,55 @@ core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document) {
     return found;
 }
 
-core::Expected<FoundDevice> probeFile(const std::string& path) {
+/// What is wrong with what came, in which there is no frame.
+QString withoutFrames(const taxels::TaxelsProbe& probe, const std::string& kind) {
+    if (probe.bytes.empty())
+        return DevicesText::tr("nothing came from it");
+    const std::optional<int> chips = kind == "magnetometers" ? taxels::chipsOf(probe.bytes) : std::nullopt;
+    return chips ? DevicesText::tr("it sends frames of %n chip(s)", nullptr, *chips)
+                 : DevicesText::tr("there is no frame in what came from it, as the file describes them");
+}
+
+core::Expected<FoundDevice> probeStream(const std::string& path, const std::string& kind, std::size_t bytes) {
+    TELETA_TRY(auto file, taxels::readTaxels(path));
+    FoundDevice found{.kind = kind, .name = file.name, .where = link::displayName(file.address)};
+    auto probe = taxels::probeTaxels(file, {.bytes = bytes}, [] { return interrupted(); });
+    found.error = errorOf(probe);
+    if (!probe)
+        return found;
+    found.frameRate_Hz = probe->rate_Hz;
+    if (probe->frames.empty())
+        found.error = core::Error{
+            core::ErrorKind::unavailable, withoutFrames(*probe, kind).toStdString(), {}, {found.where}};
+    for (std::size_t i = 0; i < probe->others.size(); ++i)
+        found.values.push_back(
+            {"temperature_" + std::to_string(i), static_cast<double>(probe->others[i]), "degC"});
+    found.stream.emplace(TaxelsReport{std::move(*probe), file.grid.layout(), file.grid.unit()});
+    return found;
+}
+
+core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes) {
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     core::TomlTable root = document.root();
-    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet"});
+    const std::size_t kind =
+        root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet", "taxels", "magnetometers", "xela"});
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     // Without a kind the other keys say nothing either.
     if (!root.has("kind")) {
         root.finish();
-        return core::failed(core::ErrorKind::badInput, DevicesText::tr("\"kind\" is missing"),
-                            DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\" or \"hid_bracelet\""),
-                            {path, 1, 1});
+        return core::failed(
+            core::ErrorKind::badInput, DevicesText::tr("\"kind\" is missing"),
+            DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\", \"hid_bracelet\", \"taxels\", "
+                            "\"magnetometers\" or \"xela\""),
+            {path, 1, 1});
     }
     if (kind == 0)
         return probeRegisters(path);
     if (kind == 3)
         return probeBracelet(path);
+    if (kind >= 4)
+        return probeStream(path, root.text("kind"), bytes);
     return kind == 1 ? probeArray(document) : probeCamera(document);
 }
 
@@ -217,15 +255,23 @@ nlohmann::ordered_json toJson(const FoundDevice& device) {
     nlohmann::ordered_json values = nlohmann::ordered_json::array();
     for (const DeviceValue& value : device.values)
         values.push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
-    return {{"kind", device.kind},
-            {"name", device.name},
-            {"where", device.where},
-            {"connected", !device.error},
-            {"reason", device.error ? nlohmann::ordered_json(core::describe(*device.error))
-                                    : nlohmann::ordered_json(nullptr)},
-            {"frame_rate_hz", orNull(device.frameRate_Hz)},
-            {"input_rate_hz", orNull(device.inputRate_Hz)},
-            {"values", std::move(values)}};
+    nlohmann::ordered_json json{{"kind", device.kind},
+                                {"name", device.name},
+                                {"where", device.where},
+                                {"connected", !device.error},
+                                {"reason", device.error
+                                               ? nlohmann::ordered_json(core::describe(*device.error))
+                                               : nlohmann::ordered_json(nullptr)},
+                                {"frame_rate_hz", orNull(device.frameRate_Hz)},
+                                {"input_rate_hz", orNull(device.inputRate_Hz)},
+                                {"values", std::move(values)}};
+    if (device.stream)
+        json["stream"] = toJson(*device.stream);
+    return json;
+}
+
+bool isArray(const std::string& kind) {
+    return kind == "wts" || kind == "taxels" || kind == "magnetometers" || kind == "xela";
 }
 
 QString kindName(const std::string& kind) {
@@ -233,7 +279,7 @@ QString kindName(const std::string& kind) {
         return DevicesText::tr("Bracelet");
     if (kind == "mouse3d")
         return DevicesText::tr("3D mouse");
-    if (kind == "wts")
+    if (isArray(kind))
         return DevicesText::tr("Tactile array");
     if (kind == "camera")
         return DevicesText::tr("Camera");
@@ -259,7 +305,7 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
                                          : DevicesText::tr("connected"));
         if (device.frameRate_Hz)
             fields.emplace_back(DevicesText::tr("Frames"),
-                                device.kind == "wts"
+                                isArray(device.kind)
                                     ? DevicesText::tr("%1 Hz").arg(forPeople(*device.frameRate_Hz))
                                     : DevicesText::tr("up to %1 Hz").arg(forPeople(*device.frameRate_Hz)));
         if (device.inputRate_Hz)
@@ -267,10 +313,16 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
                                 DevicesText::tr("up to %1 Hz").arg(forPeople(*device.inputRate_Hz)));
         for (const DeviceValue& value : device.values)
             fields.emplace_back(QString::fromStdString(value.name), withUnit(value));
+        if (device.stream)
+            addFields(*device.stream, fields);
     }
     if (fields.empty())
         fields.emplace_back(DevicesText::tr("No device is connected."), QString());
-    return printFields(fields);
+    TELETA_CHECK(printFields(fields));
+    for (const FoundDevice& device : devices)
+        if (device.stream)
+            TELETA_CHECK(printText(textOf(*device.stream)));
+    return {};
 }
 
 class DevicesCommand {
@@ -280,6 +332,9 @@ public:
                   DevicesText::tr(
                       "Connect to the device of this description and read it; its motors are set to zero"),
                   "DEVICE.toml");
+        addOption(app, "--bytes", m_bytes,
+                  DevicesText::tr("Of a described array: show so many of the bytes that it sends"),
+                  CLI::Range(1, 1'000'000).description(""), "N");
         declareJson(app, m_json);
     }
 
@@ -288,7 +343,7 @@ public:
         if (m_probePath.empty()) {
             devices = listDevices();
         } else {
-            TELETA_TRY(auto found, probeFile(m_probePath));
+            TELETA_TRY(auto found, probeFile(m_probePath, m_bytes));
             devices.push_back(std::move(found));
         }
         if (m_json) {
@@ -310,6 +365,7 @@ public:
 
 private:
     std::string m_probePath;
+    std::size_t m_bytes = 4096;
     bool m_json = false;
 };
 

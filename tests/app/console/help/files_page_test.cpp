@@ -11,6 +11,9 @@
 #include "backend/vision/gel/marker_gel_file.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/register_map.h"
+#include "devices/taxels/magnetometers_file.h"
+#include "devices/taxels/taxels_file.h"
+#include "devices/taxels/xela_file.h"
 
 #include <QFile>
 #include <QTest>
@@ -43,6 +46,9 @@ enum Section {
     arrayDevice,
     cameraDevice,
     gelDevice,
+    taxelsDevice,
+    magneticDevice,
+    xelaDevice,
     sources,
     sceneSource,
     recordingSource,
@@ -50,6 +56,7 @@ enum Section {
     arraySource,
     cameraSource,
     armSource,
+    taxelsSource,
     sections
 };
 
@@ -92,13 +99,17 @@ const std::vector<PageWords>& pages() {
           "Weiss array",
           "Camera",
           "Flat gel with markers",
+          "Array of any make",
+          "Skin of magnetometers",
+          "XELA uSkin",
           "Lists of sources",
           "Scene",
           "CSV recording",
           "Recording of this program",
           "Weiss array",
           "Camera",
-          "Arm over ROS 2"}},
+          "Arm over ROS 2",
+          "Array of any make"}},
         {"fr",
          "Fichiers",
          "Les scènes, les protocoles d'étude, les appareils et les listes de sources sont des fichiers TOML. "
@@ -139,13 +150,17 @@ const std::vector<PageWords>& pages() {
           "Réseau Weiss",
           "Caméra",
           "Gel plat à marqueurs",
+          "Matrice quelconque",
+          "Peau à magnétomètres",
+          "XELA uSkin",
           "Listes de sources",
           "Scène",
           "Enregistrement CSV",
           "Enregistrement de ce programme",
           "Réseau Weiss",
           "Caméra",
-          "Bras sur ROS 2"}},
+          "Bras sur ROS 2",
+          "Matrice quelconque"}},
         {"ja",
          "ファイル",
          "シーン、実験計画、機器、ソースの一覧は TOML "
@@ -184,13 +199,17 @@ const std::vector<PageWords>& pages() {
           "Weiss アレイ",
           "カメラ",
           "マーカー付きの平らなゲル",
+          "任意のアレイ",
+          "磁気センサーの皮膚",
+          "XELA uSkin",
           "ソースの一覧",
           "シーン",
           "CSV の記録",
           "このプログラムの記録",
           "Weiss アレイ",
           "カメラ",
-          "ROS 2のアーム"}},
+          "ROS 2のアーム",
+          "任意のアレイ"}},
         {"zh_CN",
          "文件",
          "场景、实验方案、设备和信号源列表都是 TOML 文件。本页列出程序从中读取的所有键。键名以单位结尾。"
@@ -227,13 +246,17 @@ const std::vector<PageWords>& pages() {
           "Weiss 阵列",
           "摄像头",
           "带标记的平面凝胶",
+          "任意阵列",
+          "磁力计皮肤",
+          "XELA uSkin",
           "信号源列表",
           "场景",
           "CSV 记录",
           "本程序的记录",
           "Weiss 阵列",
           "摄像头",
-          "通过 ROS 2 的机械臂"}},
+          "通过 ROS 2 的机械臂",
+          "任意阵列"}},
     };
     return kPages;
 }
@@ -309,6 +332,9 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, arrayDevice, describeFile<cli::ArrayFile>);
     page.part(3, cameraDevice, describeFile<cli::CameraFile>);
     page.part(3, gelDevice, describeFile<vision::MarkerGelFile>);
+    page.part(3, taxelsDevice, describeFile<taxels::TaxelsFile>);
+    page.part(3, magneticDevice, describeFile<taxels::MagnetometersFile>);
+    page.part(3, xelaDevice, describeFile<taxels::XelaFile>);
     page.head(2, sources);
     page.part(3, sceneSource, sourceOf(app::SourceKind::scene));
     page.part(3, recordingSource, sourceOf(app::SourceKind::recording));
@@ -316,6 +342,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, arraySource, sourceOf(app::SourceKind::wts));
     page.part(3, cameraSource, sourceOf(app::SourceKind::camera));
     page.part(3, armSource, sourceOf(app::SourceKind::arm));
+    page.part(3, taxelsSource, sourceOf(app::SourceKind::taxels));
     return page.text();
 }
 

@@ -14,6 +14,7 @@ using teleta::app::isArmFile;
 using teleta::app::isSourceList;
 using teleta::app::readSourceList;
 using teleta::app::SceneRequest;
+using teleta::app::TaxelsRequest;
 using teleta::app::WtsRequest;
 
 /// Source lists, and what a recording's file tells of itself.
@@ -127,7 +128,7 @@ private slots:
         QCOMPARE(requests->size(), std::size_t(2));
         const auto& serial = std::get<WtsRequest>((*requests)[0]);
         QVERIFY(serial.config.address ==
-                teleta::wts::WtsAddress(teleta::wts::SerialAddress{"/dev/ttyUSB0", 921600}));
+                teleta::link::Address(teleta::link::SerialAddress{"/dev/ttyUSB0", 921600}));
         QCOMPARE(serial.config.delay_ms, std::uint16_t(5));
         QVERIFY(serial.config.runLength);
         QVERIFY(serial.config.tare);
@@ -135,13 +136,36 @@ private slots:
         QCOMPARE(QString::fromStdString(serial.loadUnit), QStringLiteral("counts"));
         QCOMPARE(displayName((*requests)[0]), QStringLiteral("ttyUSB0"));
         const auto& tcp = std::get<WtsRequest>((*requests)[1]);
-        QVERIFY(tcp.config.address == teleta::wts::WtsAddress(teleta::wts::TcpAddress{"hand", 1000}));
+        QVERIFY(tcp.config.address == teleta::link::Address(teleta::link::TcpAddress{"hand", 1000}));
         QVERIFY(!tcp.config.tare);
         QVERIFY(!tcp.threshold.has_value());
         QCOMPARE(tcp.gain, 0.01);
         QCOMPARE(QString::fromStdString(tcp.gainsPath), QStringLiteral("/hand/gains.csv"));
         QVERIFY(serial.gainsPath.empty());
         QCOMPARE(displayName((*requests)[1]), QStringLiteral("hand:1000"));
+    }
+
+    void readsDescribedArraysAndTakesOneForAList() {
+        const auto list =
+            readSourceList(write("lists.toml", "[[source]]\ntaxels = \"glove.toml\"\n").toStdString());
+        QVERIFY(list.has_value());
+        QCOMPARE(QString::fromStdString(std::get<TaxelsRequest>(list->front()).path),
+                 m_folder.filePath("glove.toml"));
+        QCOMPARE(displayName(list->front()), QStringLiteral("glove"));
+
+        QFile example(QStringLiteral(TELETA_SOURCE_DIR "/resources/devices/taxels-glove.toml"));
+        QVERIFY(example.open(QIODevice::ReadOnly));
+        const QByteArray text = example.readAll();
+        const QString glove = write("glove.toml", text);
+        QVERIFY(isSourceList(glove.toStdString()));
+        const auto alone = readSourceList(glove.toStdString());
+        QVERIFY2(alone.has_value(), alone ? "" : describe(alone.error()).c_str());
+        QCOMPARE(QString::fromStdString(std::get<TaxelsRequest>(alone->front()).path), glove);
+
+        const auto wrong = readSourceList(
+            write("wrong.toml", QByteArray(text).replace("rows = 6", "rows = 7")).toStdString());
+        QVERIFY(!wrong.has_value());
+        QVERIFY(wrong.error().message.find("98 taxels") != std::string::npos);
     }
 
     void namesThePlaceOfAWrongAddressOrSetting_data() {
@@ -175,6 +199,8 @@ private slots:
         QTest::newRow("no source in it") << QByteArray("source = []\n") << true;
         QTest::newRow("a scene") << QByteArray("name = \"x\"\n[array]\nrows = 2\n") << false;
         QTest::newRow("no TOML") << QByteArray("[[source\n") << false;
+        QTest::newRow("one array") << QByteArray("kind = \"taxels\"\nwrong = 1\n") << true;
+        QTest::newRow("another device") << QByteArray("kind = \"modbus\"\n") << false;
         QTest::newRow("empty") << QByteArray() << false;
     }
     void aListIsKnownByItsContentWhateverIsWrongWithIt() {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/wts/frame_clock.h"
+#include "devices/link/frame_clock.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace teleta::wts {
+namespace teleta::link {
 namespace {
 
 constexpr double kTick_s = 1e-3;
@@ -105,4 +105,4 @@ TEST(FrameClock, neverGoesBackWhenAConnectionBegins) {
 }
 
 } // namespace
-} // namespace teleta::wts
+} // namespace teleta::link

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/wts/wake_pipe.h"
+#include "devices/link/wake_pipe.h"
 
 #include "backend/core/steady_time.h"
 
@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace teleta::wts {
+namespace teleta::link {
 
 int pollUntil(std::span<pollfd> polled, std::int64_t deadline_ns) {
     int ready = -1;
@@ -45,4 +45,4 @@ void WakePipe::waitUntil(std::int64_t deadline_ns) const {
     pollUntil({&polled, 1}, deadline_ns);
 }
 
-} // namespace teleta::wts
+} // namespace teleta::link

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/wts/frame_clock.h"
+#include "devices/link/frame_clock.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace teleta::wts {
+namespace teleta::link {
 
 namespace {
 
-constexpr std::uint32_t kHalfRange = 0x8000'0000U;
 constexpr double kMeanShare = 1.0 / 16.0;
 
 bool isGap(double interval, double period) {
@@ -18,9 +17,9 @@ bool isGap(double interval, double period) {
 } // namespace
 
 FrameClock::Step FrameClock::advance(std::uint32_t timestamp, double hostTime_s) {
-    const std::uint32_t interval = timestamp - m_last;
+    const std::uint32_t interval = (timestamp - m_last) & (0xFFFF'FFFFU >> (32 - m_bits));
     Step step;
-    step.restarted = m_running && interval >= kHalfRange;
+    step.restarted = m_running && (interval >> (m_bits - 1)) != 0;
     if (!m_running || step.restarted) {
         m_time_s = std::max(m_time_s, hostTime_s);
         m_period = 0.0;
@@ -44,4 +43,4 @@ void FrameClock::restart() {
     m_running = false;
 }
 
-} // namespace teleta::wts
+} // namespace teleta::link

@@ -7,7 +7,7 @@
 #include <poll.h>
 #include <span>
 
-namespace teleta::wts {
+namespace teleta::link {
 
 /// Waits for events until the deadline (steady time), even if a signal interrupts the wait. Result: that
 /// of ppoll().
@@ -32,4 +32,4 @@ private:
     core::FileDescriptor m_write{-1};
 };
 
-} // namespace teleta::wts
+} // namespace teleta::link

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-namespace teleta::wts {
+namespace teleta::link {
 
-/// Turns the sensor's wrapping 32-bit timestamps into a time of the stream that never goes back, and finds
+/// Turns a sensor's wrapping timestamps into a time of the stream that never goes back, and finds
 /// the frames that were lost on the way:
 ///   lost = round(interval / period) - 1   where interval >= 1.5 period + 1 tick
 /// The period is the running mean of the intervals without a loss, so that a loss is only seen once there
@@ -19,9 +19,10 @@ public:
         bool restarted = false; ///< the timestamp jumped back: the sensor started anew
     };
 
-    /// tick_s: of a timestamp; > 0.
-    explicit FrameClock(double tick_s)
-        : m_tick_s(tick_s) {}
+    /// tick_s: of a timestamp; > 0. bits: after which the timestamps wrap; 8 .. 32.
+    explicit FrameClock(double tick_s, int bits = 32)
+        : m_tick_s(tick_s)
+        , m_bits(bits) {}
 
     /// The next frame. hostTime_s: time of its arrival since the stream began, from which the stream's time
     /// goes on after a restart.
@@ -32,10 +33,11 @@ public:
 
 private:
     double m_tick_s;
+    int m_bits;
     double m_time_s = 0.0;
     double m_period = 0.0; ///< ticks; 0: unknown
     std::uint32_t m_last = 0;
     bool m_running = false;
 };
 
-} // namespace teleta::wts
+} // namespace teleta::link

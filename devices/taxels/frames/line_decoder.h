@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/taxels/frames/frame_decoder.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+#include <variant>
+
+namespace teleta::taxels {
+
+/// Frames that are lines of text: numbers between separators, or one JSON document each. Lines end with a
+/// line feed, before which a carriage return may stand. A line that is no frame is dropped and counted as bad
+/// values; empty lines are dropped. A document without the values is another frame. Thread: one (pure).
+class LineDecoder : public FrameDecoder {
+public:
+    LineDecoder(CsvFormat format, Framing framing);
+    LineDecoder(JsonFormat format, Framing framing);
+
+    [[nodiscard]] bool next(DecodedFrame& frame, Rest rest = Rest::mayCome) override;
+
+private:
+    enum class Verdict { wrong, other, frame };
+
+    [[nodiscard]] bool readCsv(std::string_view line, DecodedFrame& frame) const;
+    [[nodiscard]] Verdict readJson(std::string_view line, DecodedFrame& frame) const;
+    [[nodiscard]] bool readValues(const nlohmann::json& values, DecodedFrame& frame) const;
+    [[nodiscard]] bool readHex(std::string_view text, DecodedFrame& frame) const;
+
+    std::variant<CsvFormat, JsonFormat> m_format;
+    nlohmann::json::json_pointer m_values;
+    nlohmann::json::json_pointer m_time;
+    nlohmann::json::json_pointer m_counter;
+    bool m_datagrams;
+    std::size_t m_toSkip = 0;
+    bool m_tooLong = false;     ///< the begin of the line at hand was dropped
+    std::size_t m_searched = 0; ///< pending bytes in which no end of a line is
+};
+
+} // namespace teleta::taxels

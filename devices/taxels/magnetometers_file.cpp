@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/taxels/magnetometers_file.h"
+
+#include "backend/core/keys/key_lists.h"
+#include "devices/taxels/frames/frame_decoder.h"
+#include "devices/taxels/taxels_text.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace teleta::taxels {
+
+namespace {
+
+using core::Need;
+using core::NumberRange;
+
+constexpr std::size_t kAxes = 3;
+constexpr std::size_t kNumbers = 4; ///< of a chip
+constexpr std::size_t kChipBytes = 16;
+constexpr double kMostField_uT = 1e6;
+constexpr double kColdest_degC = -40.0;
+constexpr double kHottest_degC = 125.0;
+constexpr int kRestFrames = 50;
+constexpr int kFewestGuessed = 4;
+constexpr std::uint64_t kFramesForGuess = 3;
+
+enum class Format { binary, reskinText };
+
+CsvFormat reskinText(std::size_t chips) {
+    return {.separator = '\t',
+            .skip = 1,
+            .firstColumn = 1,
+            .lastColumn = kNumbers * chips,
+            .groupColumns = kNumbers,
+            .perGroup = kAxes};
+}
+
+} // namespace
+
+BinaryFormat magnetometerFrames(std::size_t chips) {
+    BinaryFormat format;
+    format.end = {0x0D, 0x0A};
+    format.length = kChipBytes * chips + format.end.size();
+    format.values = {.field = {.at = 4, .type = NumberType::float32},
+                     .count = kAxes * chips,
+                     .perGroup = kAxes,
+                     .stride = kChipBytes,
+                     .low = -kMostField_uT,
+                     .high = kMostField_uT};
+    format.others = {{.field = {.at = 0, .type = NumberType::float32},
+                      .count = chips,
+                      .perGroup = 1,
+                      .stride = kChipBytes,
+                      .low = kColdest_degC,
+                      .high = kHottest_degC}};
+    return format;
+}
+
+std::optional<int> chipsOf(std::span<const std::uint8_t> bytes) {
+    std::optional<int> best;
+    std::uint64_t most = 0;
+    for (int chips = kFewestGuessed; chips <= kMostChips; ++chips) {
+        const auto decoder =
+            makeDecoder(magnetometerFrames(static_cast<std::size_t>(chips)), FrameDecoder::Framing::stream);
+        decoder->feed(bytes);
+        DecodedFrame frame;
+        while (decoder->next(frame)) {
+        }
+        const FrameDecoder::Counters& counted = decoder->counters();
+        if (counted.frames >= kFramesForGuess && counted.frameBytes > most) {
+            most = counted.frameBytes;
+            best = chips;
+        }
+    }
+    return best;
+}
+
+void MagnetometersFile::describeKeys(core::Keys& keys) {
+    keys.word("kind", "magnetometers", "A skin of magnetometers, as AnySkin or ReSkin");
+    keys.text("name", taxels.name, "Name on the screen");
+    link::SerialAddress serial;
+    keys.text("path", serial.path, "Path of its serial port");
+    keys.whole("baud", serial.baud, {9600, 4'000'000}, "Bits a second", Need::optional);
+    taxels.address = serial;
+    int chips = 5;
+    keys.whole("chips", chips, {kFewestChips, kMostChips}, "Magnetometers on the board", Need::optional);
+    auto format = Format::binary;
+    keys.choice("format", format,
+                {{"binary", "Four float32 a chip, t, x, y, z, then `0D 0A`, as AnySkin and ReSkin send it"},
+                 {"reskin_text", "x, y, z, t of each chip between tabs. The text of AnySkin has no separator "
+                                 "between chips and cannot be read: load its binary sketch"}},
+                "What the board sends");
+    if (format == Format::binary)
+        taxels.format = magnetometerFrames(static_cast<std::size_t>(chips));
+    else
+        taxels.format = reskinText(static_cast<std::size_t>(chips));
+    taxels.grid.setComponents(TaxelGrid::kMostComponents);
+    taxels.grid.setUnit("µT");
+    std::vector<std::vector<double>> positions_mm;
+    core::describeRows(
+        keys, "positions_mm", positions_mm, NumberRange::between(-1e4, 1e4), static_cast<std::size_t>(chips),
+        2,
+        "Place of each chip, x and y, in the order in which they come. They have to lie on the "
+        "lines of a square grid");
+    if (!positions_mm.empty() && !taxels.grid.standAt(positions_mm))
+        refuse(keys, "positions_mm", TaxelsText::tr("the places lie on no square grid"),
+               TaxelsText::tr("different places whose distances in x and y are multiples of one pitch"));
+    taxels.grid.describeAxes(keys);
+    double threshold_uT = 0.0;
+    keys.number("threshold_uT", threshold_uT, NumberRange::positive(),
+                "Change of the field from which a chip counts as touched");
+    taxels.threshold = threshold_uT;
+    keys.number("rate_Hz", taxels.rate_Hz, NumberRange::between(0.0, 1e5),
+                "Frames a second that the board sends; 0: not known", Need::optional);
+    taxels.restFrames = kRestFrames;
+    keys.whole("rest_frames", taxels.restFrames, {1, 10'000},
+               "Frames at the opening whose median is taken as unloaded", Need::optional);
+}
+
+} // namespace teleta::taxels

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/taxels/taxels_probe.h"
+
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "devices/link/byte_link.h"
+#include "devices/taxels/taxels_text.h"
+
+#include <QString>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+
+namespace teleta::taxels {
+
+namespace {
+
+using link::ByteLink;
+using Outcome = ByteLink::Outcome;
+using Rest = FrameDecoder::Rest;
+
+constexpr double kLook_s = 0.05;
+constexpr double kConnect_s = 2.0;
+constexpr double kRest_s = 3.0;
+constexpr std::int64_t kSilence_ns =
+    200'000'000; ///< after this, the rest of a frame is not expected any more
+
+std::int64_t in(double time_s) {
+    return core::steadyNow_ns() + static_cast<std::int64_t>(time_s * 1e9);
+}
+
+/// Feeds a decoder with what a sensor sends.
+class Listener {
+public:
+    Listener(const TaxelsFile& file, ByteLink link)
+        : m_file(file)
+        , m_link(std::move(link))
+        , m_decoder(makeDecoder(file.format, m_link.isDatagrams() ? FrameDecoder::Framing::datagrams
+                                                                  : FrameDecoder::Framing::stream)) {
+        m_link.tell(m_file.greeting, nullptr);
+    }
+
+    /// Waits a moment for bytes; false: no more will come.
+    bool listen(std::int64_t deadline_ns) {
+        std::size_t count = 0;
+        const Outcome outcome = m_link.read(m_buffer, count, std::min(deadline_ns, in(kLook_s)), nullptr);
+        m_read = std::span(m_buffer).first(count);
+        m_decoder->feed(m_read);
+        if (outcome == Outcome::done)
+            m_read_ns = core::steadyNow_ns();
+        const bool isSilent = core::steadyNow_ns() >= m_read_ns + kSilence_ns;
+        m_rest = outcome == Outcome::gone || isSilent ? Rest::willNotCome : Rest::mayCome;
+        return outcome != Outcome::gone;
+    }
+    bool next(DecodedFrame& frame) { return m_decoder->next(frame, m_rest); }
+    void leave() { m_link.tell(m_file.goodbye, nullptr); }
+
+    [[nodiscard]] std::span<const std::uint8_t> read() const { return m_read; }
+    [[nodiscard]] const FrameDecoder& decoder() const { return *m_decoder; }
+    [[nodiscard]] bool isFile() const { return m_link.isFile(); }
+
+private:
+    const TaxelsFile& m_file;
+    ByteLink m_link;
+    std::unique_ptr<FrameDecoder> m_decoder;
+    std::vector<std::uint8_t> m_buffer = std::vector<std::uint8_t>(ByteLink::kLongestDatagram);
+    std::span<const std::uint8_t> m_read;
+    Rest m_rest = Rest::mayCome;
+    std::int64_t m_read_ns = core::steadyNow_ns();
+};
+
+core::Expected<ByteLink> openLink(const TaxelsFile& file) {
+    return ByteLink::open(file.address, in(kConnect_s), nullptr);
+}
+
+} // namespace
+
+core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimits& limits,
+                                        const std::function<bool()>& cancelled) {
+    TELETA_TRY(auto link, openLink(file));
+    Listener sensor(file, std::move(link));
+    TaxelsProbe probe;
+    std::int64_t first_ns = 0;
+    std::int64_t last_ns = 0;
+    std::int64_t end_ns = in(limits.wait_s);
+    DecodedFrame frame;
+    bool goesOn = true;
+    while (goesOn && core::steadyNow_ns() < end_ns && !(cancelled && cancelled())) {
+        goesOn = sensor.listen(end_ns);
+        const std::span<const std::uint8_t> read = sensor.read();
+        const std::size_t room = limits.bytes - std::min(limits.bytes, probe.bytes.size());
+        const auto kept = read.first(std::min(read.size(), room));
+        probe.bytes.insert(probe.bytes.end(), kept.begin(), kept.end());
+        while (sensor.next(frame)) {
+            last_ns = core::steadyNow_ns();
+            if (probe.frames.empty()) {
+                first_ns = last_ns;
+                end_ns = in(limits.measure_s);
+                probe.first.resize(file.grid.layout().taxels());
+                file.grid.place(frame.values, probe.first);
+                probe.others.assign(frame.values.begin() + static_cast<std::ptrdiff_t>(file.grid.values()),
+                                    frame.values.end());
+            }
+            probe.frames.push_back({sensor.decoder().frameBegin(), sensor.decoder().frameSize()});
+        }
+        goesOn = goesOn && !(sensor.isFile() && probe.bytes.size() >= limits.bytes);
+    }
+    sensor.leave();
+    probe.counters = sensor.decoder().counters();
+    if (!sensor.isFile() && probe.frames.size() > 1 && last_ns > first_ns)
+        probe.rate_Hz =
+            1e9 * static_cast<double>(probe.frames.size() - 1) / static_cast<double>(last_ns - first_ns);
+    return probe;
+}
+
+core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
+                                               const std::function<bool()>& cancelled) {
+    TELETA_TRY(auto link, openLink(file));
+    Listener sensor(file, std::move(link));
+    const std::size_t taxels = file.grid.layout().taxels();
+    const auto wanted = static_cast<std::size_t>(file.restFrames);
+    std::vector<std::vector<float>> readings(taxels);
+    std::vector<float> loads(taxels);
+    std::size_t frames = 0;
+    const double whole_s = kRest_s + (file.rate_Hz > 0.0 ? file.restFrames / file.rate_Hz : 0.0);
+    const std::int64_t end_ns = in(whole_s);
+    DecodedFrame frame;
+    for (bool goesOn = true; goesOn && frames < wanted && core::steadyNow_ns() < end_ns;) {
+        if (cancelled && cancelled())
+            return core::failed(core::ErrorKind::cancelled, TaxelsText::tr("opening was cancelled"));
+        goesOn = sensor.listen(end_ns);
+        while (frames < wanted && sensor.next(frame)) {
+            file.grid.place(frame.values, loads);
+            for (std::size_t i = 0; i < taxels; ++i)
+                readings[i].push_back(loads[i]);
+            ++frames;
+        }
+    }
+    sensor.leave();
+    if (frames < wanted)
+        return core::failed(
+            core::ErrorKind::unavailable,
+            TaxelsText::tr("only %1 of %2 frames came for the rest of the array").arg(frames).arg(wanted),
+            TaxelsText::tr("a sensor that sends, as the file describes it"));
+    for (std::size_t i = 0; i < taxels; ++i) {
+        const auto middle = readings[i].begin() + static_cast<std::ptrdiff_t>(frames / 2);
+        std::ranges::nth_element(readings[i], middle);
+        loads[i] = *middle;
+    }
+    return loads;
+}
+
+} // namespace teleta::taxels

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sources/recording_request.h"
+#include "app/sources/source_request.h"
+#include "backend/pipeline/recorded/recorded_sources.h"
+#include "backend/pipeline/touch_channel.h"
+#include "backend/recording/recorder.h"
+#include "backend/recording/recording.h"
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/devices/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace teleta::console {
+namespace {
+
+/// A cross of five taxels in mT, as lines of numbers, of which the third shows a press on its middle.
+class TaxelsSource : public testing::Test {
+protected:
+    core::Expected<std::shared_ptr<pipeline::TouchChannel>> open() {
+        m_folder.write("bytes.csv", "0,0,0,0,0\n0,0,0,0,0\n9,1,1,1,1\n");
+        const std::string path = m_folder.write(
+            "cross.toml", "kind = 'taxels'\nname = 'cross'\nthreshold = 0.5\n[link]\ntype = 'file'\n"
+                          "path = 'bytes.csv'\n[layout]\nunit = 'mT'\n"
+                          "positions_mm = [[0, 0], [4, 0], [-4, 0], [0, 4], [0, -4]]\n"
+                          "[frame]\nencoding = 'csv'\ncolumns = '1..5'\nskip = 0\n");
+        return app::makeSourceFactory(app::TaxelsRequest{path}, m_stop)().map(
+            [](const std::shared_ptr<pipeline::Channel>& channel) {
+                return std::dynamic_pointer_cast<pipeline::TouchChannel>(channel);
+            });
+    }
+
+    teleta::test::TemporaryFolder m_folder;
+    core::StopSwitch m_stop;
+};
+
+TEST_F(TaxelsSource, isShownRecordedAndFoundInItsRecordingInItsOwnUnit) {
+    const auto opened = open();
+    ASSERT_TRUE(opened) << core::describe(opened.error());
+    pipeline::TouchChannel& channel = **opened;
+    EXPECT_EQ(channel.settings().loadUnit, "mT");
+    EXPECT_EQ(channel.settings().features.threshold_N, 0.5);
+    const std::string path = m_folder.path("run.teleta");
+    core::Wakeup data;
+    {
+        auto started = recording::Recorder::start(path, {});
+        ASSERT_TRUE(started) << core::describe(started.error());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        channel.record(recorder, "skin");
+        channel.start(data);
+        ASSERT_TRUE(teleta::test::eventually(data, [&] {
+            channel.process();
+            return channel.framesProcessed() == 3;
+        }));
+        channel.stop();
+        channel.record(nullptr, {});
+        ASSERT_TRUE(recorder->stop());
+    }
+    ASSERT_TRUE(channel.update());
+    ASSERT_EQ(channel.snapshot().contacts.size(), 1U);
+    EXPECT_EQ(channel.snapshot().contacts[0].taxels, 5);
+    EXPECT_EQ(channel.snapshot().features.dead, 4) << "the corners of the cross have no taxel";
+    EXPECT_NEAR(channel.snapshot().contacts[0].x_m, 0.0, 1e-9);
+    EXPECT_EQ(channel.snapshot().loadUnit, "mT");
+
+    const auto recording = recording::Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    const auto sources = pipeline::recordedSources(*recording);
+    ASSERT_TRUE(sources) << core::describe(sources.error());
+    ASSERT_EQ(sources->arrays.size(), 1U);
+    const core::SourceDescription& array = sources->arrays[0].array.description;
+    EXPECT_EQ(array.layout, (core::ArrayLayout{3, 3, 0.004}));
+    EXPECT_EQ(array.unit, "mT");
+    EXPECT_EQ(sources->arrays[0].array.settings.loadUnit, "mT");
+    recording::StreamReader reader = recording->reader(sources->arrays[0].arrayStream);
+    core::TappedFrames block;
+    std::vector<float> values;
+    while (reader.next(block).value_or(false))
+        for (std::size_t i = 0; i < block.frames(); ++i) {
+            const auto frame = recording::valuesOf<float>(block, i, 9);
+            values.assign(frame.begin(), frame.end());
+        }
+    ASSERT_EQ(values.size(), 9U);
+    EXPECT_EQ(values[4], 9.0F);
+    EXPECT_TRUE(std::isnan(values[0]));
+
+    const auto again = app::recordingRequestsOf(path);
+    ASSERT_TRUE(again);
+    const auto replayed = app::openRecording(again->front(), m_stop);
+    ASSERT_TRUE(replayed) << core::describe(replayed.error());
+    EXPECT_EQ(dynamic_cast<pipeline::TouchChannel&>(**replayed).description().layout, array.layout);
+}
+
+TEST_F(TaxelsSource, saysWhereItsDescriptionIsWrong) {
+    const std::string path = m_folder.write("cross.toml", "kind = 'taxels'\nname = ''\n");
+    const auto opened = app::makeSourceFactory(app::TaxelsRequest{path}, m_stop)();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().kind, core::ErrorKind::badInput);
+    EXPECT_EQ(opened.error().where.line, 2);
+}
+
+} // namespace
+} // namespace teleta::console

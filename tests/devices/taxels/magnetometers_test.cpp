@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Skins of magnetometers against a board in Python over a pseudo-terminal.
+#include "devices/taxels/taxels_device.h"
+#include "devices/taxels/taxels_probe.h"
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/devices/manual_clock.h"
+#include "tests/devices/taxels/board.h"
+#include "tests/devices/taxels/taxel_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace teleta::taxels {
+namespace {
+
+using teleta::test::eventually;
+using test::Board;
+
+constexpr const char* kPlaces = "positions_mm = [[0, 0], [7, 0], [-7, 0], [0, 7], [0, -7]]\n";
+
+std::string skinOn(const std::string& port, const char* format = "binary") {
+    return "kind = 'magnetometers'\nname = 'skin'\npath = '" + port + "'\nchips = 5\nformat = '" + format +
+           "'\n" + kPlaces + "axes = ['+x', '+y', '-z']\nthreshold_uT = 40.0\n";
+}
+
+/// The same described byte by byte.
+std::string describedOn(const std::string& port) {
+    return test::head() + test::serialLink(port) + "[layout]\ncomponents = 3\naxes = ['+x', '+y', '-z']\n" +
+           kPlaces +
+           "unit = 'uT'\n[frame]\nencoding = 'binary'\nend = '0D 0A'\nlength = 82\n"
+           "values = { at = 4, type = 'float32', count = 15, stride = 16 }\n";
+}
+
+/// z of each chip of the board's frame of this number, on the grid of the cross.
+std::vector<float> expected(int number) {
+    const auto z = [number](int chip) {
+        return 10.0F * static_cast<float>(chip) + static_cast<float>(number) / 8;
+    };
+    return {-1, z(4), -1, z(2), z(0), z(1), -1, z(3), -1};
+}
+
+using Frames = std::vector<std::vector<float>>;
+
+Frames receive(core::TactileSource& device, core::Wakeup& wakeup, std::size_t frames) {
+    Frames found;
+    EXPECT_TRUE(eventually(wakeup, [&] {
+        core::SampleBlock block;
+        while (device.blocks().pop(block))
+            for (std::size_t i = 0; i < block.frames(); ++i) {
+                const auto values = block.frame(i);
+                found.emplace_back(values.begin(), values.end());
+                for (float& value : found.back())
+                    value = std::isnan(value) ? -1.0F : value;
+            }
+        return found.size() >= frames;
+    }));
+    return found;
+}
+
+TEST(Magnetometers, giveWholeFramesBetweenCutNoisyAndDoubledOnesAndAfterTheyWereUnplugged) {
+    teleta::test::TemporaryFolder folder;
+    const std::string port = folder.path("port");
+    const TaxelsTimes times{.connect_ms = 20'000,
+                            .lineSilence_ms = 20'000,
+                            .stale_ms = 20'000,
+                            .noFrames_ms = 20'000,
+                            .firstRetry_ms = 5,
+                            .longestRetry_ms = 20};
+    Board board("pty", "skin", port);
+    std::vector<Frames> both;
+    for (const std::string& text : {skinOn(port), describedOn(port)}) {
+        TaxelsFile file = test::parsed(text);
+        file.times = times;
+        auto device = TaxelsDevice::open(std::move(file));
+        ASSERT_TRUE(device) << core::describe(device.error());
+        core::Wakeup wakeup;
+        (*device)->start(wakeup);
+        board.say("write noise:0011223344 0-3 cut:4 5-7 noise:0D0A0D 8-9 twice:10 11-12");
+        const Frames found = receive(**device, wakeup, 13);
+        ASSERT_EQ(found.size(), 13U);
+        std::size_t i = 0;
+        for (const int number : {0, 1, 2, 3, 5, 6, 7, 8, 9, 10, 10, 11, 12})
+            EXPECT_EQ(found[i++], expected(number)) << number;
+        EXPECT_EQ((*device)->counters().line.droppedBytes, 5U + 54U + 3U);
+        EXPECT_EQ((*device)->status().framesLost, 0U) << "the sensor does not count its frames";
+        ASSERT_TRUE(board.done());
+
+        ASSERT_TRUE(board.command("unplug"));
+        ASSERT_TRUE(eventually(wakeup, [&] { return (*device)->counters().failedAttempts >= 1; }));
+        ASSERT_TRUE(board.command("plug"));
+        ASSERT_TRUE(eventually(wakeup, [&] { return (*device)->counters().connections == 2; }));
+        board.say("write 40-42");
+        const Frames again = receive(**device, wakeup, 3);
+        ASSERT_FALSE(again.empty());
+        EXPECT_EQ(again.front(), expected(40));
+        ASSERT_TRUE(board.done());
+        both.push_back(found);
+    }
+    EXPECT_EQ(both[0], both[1]) << "a described AnySkin gives what the driver gives";
+}
+
+TEST(Magnetometers, takeTheMedianOfFiftyFramesForTheirRest) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skin", folder.path("port"));
+    const TaxelsFile file = test::parsed(skinOn(folder.path("port")));
+    // The last number is far from the others, as if the skin was touched while it was opened.
+    board.say("write pause:100 0-40 900-910");
+    const auto rest = measureRest(file);
+    ASSERT_TRUE(rest) << core::describe(rest.error());
+    ASSERT_EQ(rest->size(), 9U);
+    EXPECT_EQ((*rest)[4], 25.0F / 8) << "z of the chip in the middle, in frame 25 of 50";
+    EXPECT_TRUE(std::isnan((*rest)[0]));
+}
+
+TEST(Magnetometers, sayThatTheyAreSilentWhenTheirRestIsMeasured) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skin", folder.path("port"));
+    TaxelsFile file = test::parsed(skinOn(folder.path("port")));
+    bool cancelled = false;
+    const auto rest = measureRest(file, [&] { return std::exchange(cancelled, true); });
+    ASSERT_FALSE(rest);
+    EXPECT_EQ(rest.error().kind, core::ErrorKind::cancelled);
+}
+
+TEST(Magnetometers, readTheTextOfReSkin) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skintext", folder.path("port"));
+    auto device = TaxelsDevice::open(test::parsed(skinOn(folder.path("port"), "reskin_text")));
+    ASSERT_TRUE(device) << core::describe(device.error());
+    core::Wakeup wakeup;
+    (*device)->start(wakeup);
+    board.say("write 0-3 cut:4 noise:0A 5");
+    const Frames found = receive(**device, wakeup, 4);
+    std::size_t i = 0;
+    for (const int number : {1, 2, 3, 5})
+        EXPECT_EQ(found.at(i++), expected(number)) << "the first line may have been cut";
+}
+
+} // namespace
+} // namespace teleta::taxels
