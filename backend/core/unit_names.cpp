@@ -78,8 +78,9 @@ constexpr auto kWithoutUnit = std::to_array<std::string_view>({
     "t", "qx", "qy", "qz", "qw", "qx_commanded", "qy_commanded", "qz_commanded", "qw_commanded", "commanded",
     "drive", "gain", "gain_se",
     // Numbers and names of things.
-    "frame", "contact_id", "marker", "found", "taxel", "row", "column", "touch", "touches", "object", "true_object", "name",
-    "joint", "run", "source", "samples", "active", "condition_number", "confidence", "value",
+    "frame", "contact_id", "marker", "found", "taxel", "row", "column", "touch", "touches", "object",
+    "true_object", "name", "joint", "run", "source", "samples", "active", "condition_number", "confidence",
+    "value",
     // Words.
     "contact_type", "type", "contact", "event", "state", "text", "utc", "phase", "limits", "method",
     "material", "shape", "true_shape", "safe", "level", "reliable", "refusal", "warnings", "kept", "used",
@@ -115,7 +116,7 @@ constexpr char lowered(char c) {
 
 /// ending: of the table. exact: its letters as they are; otherwise in lower case.
 bool endsWith(std::string_view name, std::string_view ending, bool exact) {
-    return name.size() >= ending.size() &&
+    return name.size() >= ending.size() + (ending.front() == '_' ? 1U : 0U) &&
            std::ranges::equal(name.substr(name.size() - ending.size()), ending, {}, {},
                               [exact](char c) { return exact ? c : lowered(c); });
 }

@@ -15,6 +15,7 @@ TEST(UnitNames, aKeyHasItsUnitInEitherLetterCase) {
     EXPECT_EQ(unitOf("rate_hz"), "Hz");
     EXPECT_EQ(unitOf("duration_s"), "s");
     EXPECT_EQ(unitOf("name"), "");
+    EXPECT_EQ(unitOf("mm_per_px"), "mm/px");
     EXPECT_EQ(unitOf("_s"), "") << "a unit of nothing";
     EXPECT_EQ(withoutUnit("highest_torque_Nm"), "highest_torque");
     EXPECT_EQ(lowerCaseUnit("highest_torque_Nm"), "highest_torque_nm");
