@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/cost_figure.h"
 
+#include "backend/cost/frontier.h"
 #include "backend/figure/svg_canvas.h"
 
 #include <QCoreApplication>
@@ -150,7 +151,12 @@ std::string costSvg(const LadderCost& ladder, const std::string& title) {
     std::vector<double> times_s, errors;
     QStringList left;
     bool hasZero = false;
+    const auto over = overLimit(ladder.rungs);
+    if (over)
+        times_s.push_back(over->limit->timeMedian_s);
     for (const RungCost& rung : ladder.rungs) {
+        if (rung.isLimit())
+            continue;
         if (!isPlotted(rung)) {
             left << QString::fromStdString(rung.name);
             continue;
@@ -164,6 +170,14 @@ std::string costSvg(const LadderCost& ladder, const std::string& title) {
     const LogAxis time = axisOver(times_s, kPlotLeft, kPlotRight);
     const LogAxis error = axisOver(errors, hasZero ? kPlotBottom - 24.0 : kPlotBottom, kPlotTop);
     drawAxes(canvas, time, error, QString::fromStdString(ladder.errorUnit), hasZero);
+    if (over) {
+        const double x = time.at(over->limit->timeMedian_s);
+        canvas.path({{x, kPlotTop}, {x, kPlotBottom}},
+                    QStringLiteral("class=\"hollow series1\" stroke-dasharray=\"6 4\""));
+        canvas.text(x + 6.0, kPlotTop + 14.0,
+                    CostFigureText::tr("Limit: %1").arg(QString::fromStdString(over->limit->parameter)),
+                    QStringLiteral("soft small"));
+    }
 
     std::vector<PlottedRung> points;
     for (const RungCost& rung : ladder.rungs)

@@ -3,9 +3,13 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace teleta::cost {
+
+/// Name of the rung that says how little time the job can take, see limitRung().
+inline constexpr std::string_view kLimitName = "limit";
 
 /// What a rung's accuracy costs, measured.
 struct RungCost {
@@ -25,6 +29,7 @@ struct RungCost {
 
     /// Its times may be used.
     [[nodiscard]] bool isTimed() const { return timeMedian_s == timeMedian_s; }
+    [[nodiscard]] bool isLimit() const { return name == kLimitName; }
 };
 
 /// The rungs of one ladder, measured in one run on one machine.

@@ -41,4 +41,20 @@ const RungCost* bestWithin(std::span<const RungCost> rungs, double budget_s) {
     return best;
 }
 
+std::optional<OverLimit> overLimit(std::span<const RungCost> rungs) {
+    OverLimit over;
+    for (const RungCost& rung : rungs) {
+        if (!rung.isTimed())
+            continue;
+        if (rung.isLimit())
+            over.limit = &rung;
+        else if (over.fastest == nullptr || rung.timeMedian_s < over.fastest->timeMedian_s)
+            over.fastest = &rung;
+    }
+    if (over.fastest == nullptr || over.limit == nullptr || !(over.limit->timeMedian_s > 0.0))
+        return std::nullopt;
+    over.times = over.fastest->timeMedian_s / over.limit->timeMedian_s;
+    return over;
+}
+
 } // namespace teleta::cost

@@ -3,6 +3,7 @@
 
 #include "backend/cost/cost_result.h"
 
+#include <optional>
 #include <span>
 
 namespace teleta::cost {
@@ -16,5 +17,15 @@ void markFrontier(std::span<RungCost> rungs);
 /// those that are alike the quicker one. Null when none does, and for a budget that is not positive.
 /// Thread: any (pure).
 [[nodiscard]] const RungCost* bestWithin(std::span<const RungCost> rungs, double budget_s);
+
+/// The quickest rung beside the limit of its ladder.
+struct OverLimit {
+    const RungCost* fastest = nullptr;
+    const RungCost* limit = nullptr;
+    double times = 0.0; ///< median time of the fastest over that of the limit
+};
+
+/// Empty where the ladder has no limit, or either has no time. Thread: any (pure); points into rungs.
+[[nodiscard]] std::optional<OverLimit> overLimit(std::span<const RungCost> rungs);
 
 } // namespace teleta::cost

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/feature_history.h"
 
+#include "widgets/base/numbers/column_unit.h"
 #include "widgets/base/numbers/quantity_text.h"
 
 #include <array>
@@ -42,12 +43,15 @@ void FeatureHistory::append(const pipeline::FeatureSample& sample) {
     m_types[slot(size() - 1)] = f.type;
 }
 
-QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last) {
+QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last,
+                    const QString& loadUnit) {
     constexpr std::array kColumns{Channel::force,   Channel::copX,    Channel::copY,  Channel::cocX,
                                   Channel::cocY,    Channel::dzmpX,   Channel::dzmpY, Channel::alphaZ,
                                   Channel::lambda1, Channel::lambda2, Channel::active};
-    auto csv = QStringLiteral("time_s,contact_type,force_n,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
-                              "alpha_z_rad,lambda1_m2,lambda2_m2,active\n");
+    auto csv =
+        QStringLiteral("time_s,contact_type,force_%1,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
+                       "alpha_z_rad,lambda1_m2,lambda2_m2,active\n")
+            .arg(base::columnUnit(loadUnit));
     for (std::size_t i = first; i < last; ++i) {
         csv += base::csvNumber(history.sourceTime_s(i)) + QLatin1Char(',') +
                QLatin1String(contact::toString(history.type(i)));

@@ -46,7 +46,9 @@ private:
     std::vector<contact::ContactType> m_types;
 };
 
-/// Samples first..last (exclusive) as CSV with the columns of `teleta features`; NA where undefined.
-[[nodiscard]] QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last);
+/// Samples first..last (exclusive) as CSV with the columns of `teleta features`, the force in loadUnit; NA
+/// where undefined.
+[[nodiscard]] QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last,
+                                  const QString& loadUnit);
 
 } // namespace teleta::charts

@@ -161,7 +161,7 @@ void StripChartView::requestMark() {
 }
 
 QString StripChartView::csv(std::size_t first, std::size_t last) const {
-    return featuresCsv(m_history, first, last);
+    return featuresCsv(m_history, first, last, m_strips->loadUnit());
 }
 
 void StripChartView::addOwnActions(QMenu& menu, const QPoint& position) {

@@ -19,6 +19,7 @@ public:
     /// The strips from top to bottom.
     void setStrips(const std::vector<Strip>& strips);
     void setLoadUnit(const QString& unit) { m_loadUnit = unit; }
+    [[nodiscard]] const QString& loadUnit() const { return m_loadUnit; }
     void setMarks(std::vector<TimeLine> marks) { m_marks->setLines(std::move(marks)); }
     [[nodiscard]] QString laneTitle(int lane) const override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cost/cost_chart.h"
 
+#include "backend/cost/frontier.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -98,6 +99,8 @@ void CostChart::setRanges() {
             high = std::max(high, rung.errorMean);
         }
     }
+    if (const auto over = cost::overLimit(m_ladder.rungs))
+        left = std::min(left, over->limit->timeMedian_s);
     if (m_budget_s && left < kNone) {
         left = std::min(left, *m_budget_s);
         right = std::max(right, *m_budget_s);
@@ -156,6 +159,12 @@ void CostChart::draw() {
         ring->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(colour, 2.5), Qt::NoBrush,
                                               name == m_inUse ? 18.0 : 14.0));
         ring->addData(rung.timeMedian_s, heightOf(rung));
+    }
+    if (const auto over = cost::overLimit(m_ladder.rungs)) {
+        auto* line = new QCPItemStraightLine(m_plot);
+        line->setPen(QPen(m_colours.color(QPalette::PlaceholderText), 1.5, Qt::DotLine));
+        line->point1->setCoords(over->limit->timeMedian_s, m_plot->yAxis->range().lower);
+        line->point2->setCoords(over->limit->timeMedian_s, m_plot->yAxis->range().upper);
     }
     if (m_budget_s) {
         auto* line = new QCPItemStraightLine(m_plot);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/overlay_maker.h"
 
+#include "widgets/base/numbers/column_unit.h"
+
 #include <QLocale>
 
 #include <vtkCamera.h>
@@ -157,7 +159,8 @@ QString wordsFor(const contact::Contact& contact, const QString& unit) {
 }
 
 QString contactRows(const TouchScene& scene) {
-    QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2\n");
+    QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_%1,peak_%1,area_m2\n")
+                       .arg(base::columnUnit(QString::fromStdString(scene.snapshot().loadUnit)));
     for (const ContactMark& mark : scene.marks()) {
         const contact::Contact& c = mark.contact;
         QStringList row = {QString::number(scene.snapshot().sourceTime_s, 'g', 12), QString::number(c.id)};

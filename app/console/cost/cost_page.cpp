@@ -278,8 +278,15 @@ void CostPage::showCosts() {
     if (ladder == ladders.end())
         return;
     m_title->setText(QString::fromStdString(ladder->title));
-    m_truth->setText(tr("Error: %1.").arg(QString::fromStdString(ladder->truth)));
     const cost::LadderCost* found = m_measuring->costOf(name);
+    QString truth = tr("Error: %1.").arg(QString::fromStdString(ladder->truth));
+    if (const auto over = found != nullptr ? cost::overLimit(found->rungs) : std::nullopt)
+        truth += QLatin1Char('\n') + tr("Fastest: %1, %2 times the limit (%3: %4).")
+                                         .arg(QString::fromStdString(over->fastest->name),
+                                              QLocale().toString(over->times, 'g', 3),
+                                              QString::fromStdString(over->limit->parameter),
+                                              quantity(over->limit->timeMedian_s, QStringLiteral("s")));
+    m_truth->setText(truth);
     const cost::LadderCost costs = found != nullptr ? *found : cost::LadderCost{name, ladder->errorUnit, {}};
     m_results->setCurrentIndex(found != nullptr ? 1 : 0);
     const QString unit = QString::fromStdString(costs.errorUnit);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/vision/calibration/camera_calibration.h"
 #include "backend/vision/camera/nominal_camera.h"
 
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace teleta::cost {
@@ -87,6 +89,15 @@ Ladder cameraCalibrationLadder() {
                                    trial);
                  }});
         }
+        constexpr std::size_t kCalls = 4;
+        rungs.push_back(limitRung("each pair projected once", kCalls, [=](std::size_t index) {
+            const CalibrationCase& one = (*cases)[index % cases->size()];
+            return std::accumulate(one.pairs.begin(), one.pairs.end(), 0.0,
+                                   [&](double sum, const auto& pair) {
+                                       const auto seen = vision::projectFreely(one.truth, pair.p_Sensor_m);
+                                       return sum + (seen ? seen->pixel.x() : 0.0);
+                                   });
+        }));
         return rungs;
     };
     return ladder;

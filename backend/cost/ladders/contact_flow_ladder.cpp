@@ -2,6 +2,7 @@
 #include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/vision/camera/nominal_camera.h"
 #include "backend/vision/finders/contact_ladder.h"
@@ -129,6 +130,9 @@ Ladder contactFlowLadder() {
                          trial.error((contact.p_Sensor_Centre_m - frame.truth_m).norm());
                  }});
         }
+        rungs.push_back(limitRung("each pixel read once", 1, [=](std::size_t index) {
+            return cv::sum(frames->touched[index % frames->touched.size()].full)[0];
+        }));
         return rungs;
     };
     return ladder;

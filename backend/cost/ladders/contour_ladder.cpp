@@ -2,6 +2,7 @@
 #include "backend/contour/cubic_spline.h"
 #include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,12 @@ Ladder contourLadder() {
              {contour::SplineKind::approximating, contour::SplineKind::interpolating})
             for (const std::size_t points : {8U, 16U, 32U, 64U, 128U, 360U})
                 rungs.push_back(contourRung(kind, points, outlines));
+        const auto curve = std::make_shared<std::vector<Point>>(kCurvePoints + 1);
+        constexpr std::size_t kCalls = 64;
+        rungs.push_back(limitRung("points of the curve written once", kCalls, [curve](std::size_t index) {
+            std::ranges::fill(*curve, Point::Constant(static_cast<double>(index)));
+            return curve->back().x();
+        }));
         return rungs;
     };
     return ladder;

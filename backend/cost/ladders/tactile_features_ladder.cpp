@@ -3,12 +3,14 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/simulation/array/foundation_contact.h"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <memory>
+#include <numeric>
 
 namespace teleta::cost {
 
@@ -110,7 +112,11 @@ Ladder tactileFeaturesLadder() {
                         [=](const contact::TactileFeatures& features, std::span<const float> load_N) {
                             const auto summit = contact::summitOf(load_N, layout, kActiveFrom_N);
                             return summit ? Centre(summit->x_m, summit->y_m) : pressure(features);
-                        })};
+                        }),
+            limitRung("each taxel read once", kFramesPerTrial, [=](std::size_t index) {
+                const std::vector<float>& load_N = input->frames[index % input->frames.size()].load_N;
+                return static_cast<double>(std::accumulate(load_N.begin(), load_N.end(), 0.0F));
+            })};
     };
     return ladder;
 }

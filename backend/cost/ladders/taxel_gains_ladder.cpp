@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/equilibration/taxel_gains.h"
 
 #include <array>
@@ -120,6 +121,10 @@ Ladder taxelGainsLadder() {
             rungs.push_back(gainsRung("ratio-of-means", frames, ratioOfMeans));
             rungs.push_back(gainsRung("robust", frames, robustGains));
         }
+        const auto frames = std::make_shared<const std::vector<float>>(simulatePress(0, 50).frames);
+        rungs.push_back(limitRung("each load of 50 frames read once", 16, [frames](std::size_t) {
+            return static_cast<double>(std::accumulate(frames->begin(), frames->end(), 0.0F));
+        }));
         return rungs;
     };
     return ladder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/ladder_camera.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/vision/camera/undistortion.h"
 
 #include <Eigen/Geometry>
@@ -102,6 +103,10 @@ Ladder undistortionLadder() {
         rungs.push_back(undistortionRung("newton", "to 5e-10 px", input, [=](const Eigen::Vector2d& pixel) {
             const auto point = input->camera.undistort(pixel);
             return directionOf(point ? std::optional(*point) : std::nullopt);
+        }));
+        constexpr std::size_t kCalls = 4096;
+        rungs.push_back(limitRung("each pixel read once", kCalls, [=](std::size_t index) {
+            return input->points[index % input->points.size()].pixel.sum();
         }));
         return rungs;
     };

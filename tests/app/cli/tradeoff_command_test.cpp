@@ -56,9 +56,11 @@ TEST_F(TradeoffCommand, writesItsFilesAndPrintsATableWithTheSpread) {
     const std::string folder = m_folder.path("cost");
     const ProgramResult result = measure({"tradeoff", "tactile-features", "--out", folder});
     ASSERT_EQ(result.exitCode, 0) << result.err;
-    EXPECT_EQ(splitCsv(readAll(folder + "/tradeoff.csv")).size(), 4U);
+    EXPECT_EQ(splitCsv(readAll(folder + "/tradeoff.csv")).size(), 5U)
+        << "the header, three rungs and the limit";
     EXPECT_EQ(readAll(folder + "/tactile-features.svg").substr(0, 4), "<svg");
-    for (const char* word : {"tactile-features", "sub-taxel", "spread", "%"})
+    for (const char* word :
+         {"tactile-features", "sub-taxel", "spread", "%", "times the limit (each taxel read once"})
         EXPECT_NE(result.out.find(word), std::string::npos) << word;
 }
 
@@ -73,6 +75,11 @@ TEST_F(TradeoffCommand, printsOneDocument) {
             EXPECT_GE(rung["spread"].get<double>(), 0.0);
             EXPECT_TRUE(rung["pareto"].is_boolean());
         }
+    const ordered_json& limit = document["ladders"][1]["ladder"] == "tactile-features"
+                                    ? document["ladders"][1]["limit"]
+                                    : document["ladders"][0]["limit"];
+    EXPECT_EQ(limit["fastest"], "binarised");
+    EXPECT_GT(limit["fastest_over_limit"].get<double>(), 1.0);
 }
 
 TEST_F(TradeoffCommand, listsItsLadders) {

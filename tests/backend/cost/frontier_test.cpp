@@ -122,3 +122,29 @@ TEST(BestWithin, leavesOutRefusedRungsAndPrefersTheQuickerOfTwoThatAreAsExact) {
     EXPECT_EQ(best({rung("a", kNan, 0.1), rung("b", 1.0, kNan), rung("c", 1.0, 5.0)}, 9.0), "c");
     EXPECT_EQ(best({rung("a", 2.0, 1.0), rung("b", 1.0, 1.0)}, 9.0), "b");
 }
+
+TEST(OverLimit, namesTheQuickestRungBesideTheLimit) {
+    const std::vector<RungCost> rungs{rung("exact", 0.004, 1.0), rung("quick", 0.003, 2.0),
+                                      rung("limit", 0.001, kNan)};
+    const auto over = overLimit(rungs);
+    ASSERT_TRUE(over);
+    EXPECT_EQ(over->fastest->name, "quick");
+    EXPECT_EQ(over->limit->name, "limit");
+    EXPECT_DOUBLE_EQ(over->times, 3.0);
+}
+
+TEST(OverLimit, isNoneWithoutALimitOrATime) {
+    EXPECT_FALSE(overLimit({}));
+    EXPECT_FALSE(overLimit(std::vector{rung("a", 1.0, 1.0)}));
+    EXPECT_FALSE(overLimit(std::vector{rung("limit", 1.0, kNan)}));
+    EXPECT_FALSE(overLimit(std::vector{rung("a", kNan, 1.0), rung("limit", 1.0, kNan)}));
+    EXPECT_FALSE(overLimit(std::vector{rung("a", 1.0, 1.0), rung("limit", kNan, kNan)}));
+    EXPECT_FALSE(overLimit(std::vector{rung("a", 1.0, 1.0), rung("limit", 0.0, kNan)}));
+}
+
+TEST(Frontier, hasNoLimit) {
+    std::vector<RungCost> rungs{rung("a", 1.0, 1.0), rung("limit", 0.1, kNan)};
+    markFrontier(rungs);
+    EXPECT_TRUE(rungs[0].pareto);
+    EXPECT_FALSE(rungs[1].pareto);
+}

@@ -192,11 +192,15 @@ private slots:
         touched.features.active = 1;
         history.append(touched);
         QCOMPARE(
-            featuresCsv(history, 0, 2),
+            featuresCsv(history, 0, 2, QStringLiteral("N")),
             QStringLiteral("time_s,contact_type,force_n,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
                            "alpha_z_rad,lambda1_m2,lambda2_m2,active\n"
                            "0.5,none,0,NA,NA,NA,NA,NA,NA,NA,NA,NA,0\n"
                            "0.505,point,1.5,0.0017,-0.001,NA,NA,NA,NA,NA,NA,NA,1\n"));
+        // What is no force is not called one in N.
+        QVERIFY(featuresCsv(history, 0, 2, QStringLiteral("\u00b5T"))
+                    .startsWith(QStringLiteral("time_s,contact_type,force_ut,cop_x_m,")));
+        QVERIFY(featuresCsv(history, 0, 2, {}).contains(QStringLiteral(",force_counts,")));
     }
 };
 

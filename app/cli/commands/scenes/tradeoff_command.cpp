@@ -10,6 +10,7 @@
 #include "backend/core/failure.h"
 #include "backend/cost/cost_figure.h"
 #include "backend/cost/cost_file.h"
+#include "backend/cost/frontier.h"
 #include "backend/cost/ladder.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/cost/measurer.h"
@@ -131,7 +132,14 @@ core::Expected<void> printTables(const cost::Measurement& measured, std::span<co
                             errorText(rung.errorP95), errorText(rung.errorMax), timeText(rung.timeMedian_s),
                             timeText(rung.timeP99_s), QString::number(rung.samples),
                             QStringLiteral("%1 %").arg(forPeople(100.0 * rung.spread, 2))});
-        text += table(rows) + QLatin1Char('\n');
+        text += table(rows);
+        if (const auto over = cost::overLimit(ladder.rungs))
+            text += TradeoffText::tr("Fastest: %1, %2 times the limit (%3: %4).")
+                        .arg(QString::fromStdString(over->fastest->name), forPeople(over->times, 3),
+                             QString::fromStdString(over->limit->parameter),
+                             timeText(over->limit->timeMedian_s)) +
+                    QLatin1Char('\n');
+        text += QLatin1Char('\n');
     }
     text += TradeoffText::tr("* no other rung is both as quick and as exact. Measured in %1 s.")
                 .arg(forPeople(measured.wall_s, 3)) +
@@ -141,6 +149,16 @@ core::Expected<void> printTables(const cost::Measurement& measured, std::span<co
     core::OutputFile output = core::OutputFile::standardOutput();
     output.write(text.toStdString());
     return output.finish();
+}
+
+nlohmann::ordered_json limitOf(const cost::LadderCost& ladder) {
+    const auto over = cost::overLimit(ladder.rungs);
+    if (!over)
+        return nullptr;
+    return {{"parameter", over->limit->parameter},
+            {"time_median_s", over->limit->timeMedian_s},
+            {"fastest", over->fastest->name},
+            {"fastest_over_limit", over->times}};
 }
 
 core::Expected<void> printJson(const cost::Measurement& measured, std::span<const cost::Ladder> ladders) {
@@ -163,7 +181,8 @@ core::Expected<void> printJson(const cost::Measurement& measured, std::span<cons
         document["ladders"].push_back({{"ladder", ladder.ladder},
                                        {"name", titleOf(ladders, ladder.ladder).toStdString()},
                                        {"error_unit", ladder.errorUnit},
-                                       {"rungs", rungs}});
+                                       {"rungs", rungs},
+                                       {"limit", limitOf(ladder)}});
     }
     return printDocument(document);
 }
@@ -188,7 +207,8 @@ core::Expected<void> writeTradeoff(const cost::Measurement& measured, std::span<
 }
 
 /// On standard output: one JSON document, {"wall_s","interrupted","ladders":[{"ladder","name","error_unit",
-/// "rungs":[{"rung","parameter","error_mean",..,"spread","pareto"}]}]}; or a table a ladder, for a terminal
+/// "rungs":[{"rung","parameter","error_mean",..,"spread","pareto"}],"limit":{"parameter","time_median_s",
+/// "fastest","fastest_over_limit"} or null}]}; or a table a ladder, for a terminal
 /// and when the CSV is in a file; or the CSV.
 core::Expected<void> printTradeoff(const cost::Measurement& measured, std::span<const cost::Ladder> ladders,
                                    bool json, bool inFile) {
