@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/signal/recorded_signals.h"
 
+#include "backend/core/data/json_document.h"
 #include "backend/core/failure.h"
 #include "backend/signal/stream_clock.h"
 
@@ -39,6 +40,19 @@ core::Expected<std::vector<recording::StreamInfo>> signalStreamsOf(const std::st
     std::ranges::copy_if(recording.streams(), std::back_inserter(streams),
                          [](const recording::StreamInfo& stream) { return !columnsOf(stream).empty(); });
     return streams;
+}
+
+std::set<std::string> simulatedSourcesOf(std::span<const recording::StreamInfo> streams) {
+    std::set<std::string> simulated;
+    for (const recording::StreamInfo& stream : streams) {
+        const auto document = core::JsonDocument::parse(stream.details, stream.name);
+        if (!document)
+            continue; // of events or pictures: another stream of the source tells
+        core::JsonReader reader(*document);
+        if (reader.boolean(reader.root(), "simulated", false))
+            simulated.insert(stream.source);
+    }
+    return simulated;
 }
 
 core::Expected<RecordedSignals> readSignals(const std::string& path, const std::string& stream,

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ namespace teleta::signal {
 
 /// The streams of a recording that have signals. Error: as Recording::open. Thread: any.
 [[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> signalStreamsOf(const std::string& path);
+
+/// The sources of these streams that were simulated, as what playback knows of them says. Thread: any (pure).
+[[nodiscard]] std::set<std::string> simulatedSourcesOf(std::span<const recording::StreamInfo> streams);
 
 /// What was read of a stream.
 struct RecordedSignals {

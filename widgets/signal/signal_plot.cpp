@@ -2,6 +2,7 @@
 #include "widgets/signal/signal_plot.h"
 
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
@@ -81,6 +82,11 @@ SignalPlot::SignalPlot(QWidget* parent)
 void SignalPlot::setCurves(std::vector<PlotCurve> curves) {
     m_curves = std::move(curves);
     arrange();
+}
+
+void SignalPlot::setProvenance(base::Provenance provenance) {
+    m_provenance = provenance;
+    base::showProvenance(this, provenance);
 }
 
 void SignalPlot::setDensity(bool density) {
@@ -507,6 +513,18 @@ base::Figure SignalPlot::figure() {
     restyle(palette());
     draw();
     figure.paint = [picture](QPainter& painter) { painter.drawPicture(0, 0, picture); };
+    if (m_provenance == base::Provenance::live)
+        return figure;
+    // Above the picture, where no curve runs.
+    const QSizeF badge = base::badgeSize(font(), base::provenanceText(m_provenance));
+    const double line_px = 1.25 * badge.height();
+    const QRectF line(0.0, 0.0, figure.size_px.width(), line_px);
+    figure.size_px += QSizeF(0.0, line_px);
+    figure.paint = [picture, line, provenance = m_provenance, font = font()](QPainter& painter) {
+        painter.setFont(font);
+        base::paintProvenance(painter, line, provenance, base::designedPalette(false), 0.0);
+        painter.drawPicture(QPointF(0.0, line.bottom()), picture);
+    };
     return figure;
 }
 

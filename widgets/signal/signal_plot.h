@@ -3,6 +3,7 @@
 
 #include "backend/signal/series.h"
 #include "backend/signal/spectrum.h"
+#include "widgets/base/controls/badge.h"
 #include "widgets/base/figure_export.h"
 #include "widgets/base/sized_view.h"
 #include "widgets/signal/unit_axes.h"
@@ -52,6 +53,7 @@ public:
 
     void setCurves(std::vector<PlotCurve> curves);
     [[nodiscard]] const std::vector<PlotCurve>& curves() const { return m_curves; }
+    void setProvenance(base::Provenance provenance);
     /// Spectra show the density of power instead of the amplitude.
     void setDensity(bool density);
     /// Draws if anything has changed, at little cost otherwise. Call it from the display timer.
@@ -126,6 +128,7 @@ private:
     double m_from_s = 0.0, m_to_s = 10.0;
     bool m_following = true;
     bool m_density = false;
+    base::Provenance m_provenance = base::Provenance::live;
     std::optional<std::array<double, 2>> m_cursors;
     bool m_dirty = true;
     std::uint64_t m_drawn = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/operate_page.h"
 
+#include "app/console/sources/source_provenance.h"
 #include "app/console/start/start_pictures.h"
 #include "app/sources/site_request.h"
 #include "backend/core/device/device_state.h"
@@ -32,15 +33,6 @@
 namespace teleta::console {
 
 namespace {
-
-base::Provenance provenanceOf(const SourceManager::Item& item) {
-    if (!item.isOpen())
-        return base::Provenance::live;
-    const pipeline::ChannelSummary summary = item.channel->summary();
-    if (summary.simulated)
-        return summary.recorded ? base::Provenance::recordedSimulation : base::Provenance::simulated;
-    return summary.recorded ? base::Provenance::recorded : base::Provenance::live;
-}
 
 /// What the status bar says of a device, but for what only its page knows.
 chrome::DeviceReading readingOf(const core::DeviceStatus& status, const SourceManager::Item& item,

@@ -4,6 +4,7 @@
 #include "backend/signal/signal_csv.h"
 #include "widgets/base/background.h"
 #include "widgets/base/compose.h"
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
@@ -79,12 +80,17 @@ QWidget* PlotPage::makeSignalColumn() {
     m_progress = new QProgressBar(column);
     m_progress->setRange(0, 1000);
     m_progress->hide();
+    m_cancelReading = base::named<QToolButton>("cancelReading", column);
+    m_cancelReading->hide();
+    auto* reading = new QHBoxLayout;
+    base::addWidgets(reading, {m_progress, m_cancelReading});
     auto* layout = new QVBoxLayout(column);
     const int margin = base::grid(this);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(margin);
     layout->addWidget(m_tree, 1);
-    base::addWidgets(layout, {m_progress, m_addRecording});
+    layout->addLayout(reading);
+    layout->addWidget(m_addRecording);
     column->setMinimumWidth(base::em(this, 15));
     return column;
 }
@@ -102,6 +108,7 @@ QWidget* PlotPage::makeToolBar() {
     m_saveMenu = new QMenu(this);
     m_saveButton->setMenu(m_saveMenu);
     m_saveButton->setPopupMode(QToolButton::InstantPopup);
+    m_badge = base::named<base::ProvenanceBadge>("plotProvenance", bar);
     m_state = new QLabel(bar);
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this),
@@ -109,7 +116,7 @@ QWidget* PlotPage::makeToolBar() {
     layout->setSpacing(base::grid(this));
     base::addWidgets(layout, {m_everything, m_follow, m_cursors, m_density});
     layout->addStretch(1);
-    base::addWidgets(layout, {m_state, m_layoutsButton, m_saveButton});
+    base::addWidgets(layout, {m_badge, m_state, m_layoutsButton, m_saveButton});
     return bar;
 }
 
@@ -153,6 +160,7 @@ void PlotPage::connectViews() {
     connect(m_tree, &signal::SignalTree::chosen, m_signals, &PlotSignals::add);
     m_tree->setValues([this](const signal::SignalId& id) { return valueText(id); });
     connect(m_addRecording, &QPushButton::clicked, this, &PlotPage::askForRecording);
+    connect(m_cancelReading, &QToolButton::clicked, m_signals, &PlotSignals::cancelReading);
     connect(m_signals, &PlotSignals::changed, this, &PlotPage::showSignals);
     connect(m_signals, &PlotSignals::recordingRead, this, [this] {
         // A recording as a whole, unless something that runs is looked at.
@@ -210,6 +218,8 @@ void PlotPage::retranslate() {
     m_addRecording->setText(tr("&Add a recording\u2026"));
     m_addRecording->setToolTip(tr("Plot a recording as a whole, without playing it"));
     m_progress->setFormat(tr("Reading: %p %"));
+    m_cancelReading->setText(tr("Cancel"));
+    m_cancelReading->setToolTip(tr("Stop reading and remove these signals; Ctrl+Z reads them again"));
     m_follow->setText(tr("Follow"));
     m_follow->setToolTip(tr("The newest sample stays at the right end (Space, End)"));
     m_everything->setText(tr("Show everything"));
@@ -252,6 +262,8 @@ void PlotPage::showSignals() {
     }
     m_table->setRows(rows);
     m_plot->setCurves(std::move(curves));
+    m_plot->setProvenance(m_signals->provenance());
+    m_badge->setProvenance(m_signals->provenance());
     const bool has = !rows.empty();
     if (has && !std::exchange(m_hadSignals, true)) {
         m_plot->setRange(-kUsualSpan_s, 0.0);
@@ -265,6 +277,7 @@ void PlotPage::showSignals() {
          std::initializer_list<QAbstractButton*>{m_follow, m_everything, m_cursors, m_saveButton})
         button->setEnabled(has);
     showReadings();
+    showProgress();
 }
 
 void PlotPage::showReadings() {
@@ -283,11 +296,16 @@ void PlotPage::showReadings() {
     m_table->setReadings(readings, cursors ? std::optional((*cursors)[1] - (*cursors)[0]) : std::nullopt);
 }
 
-void PlotPage::showState() {
+void PlotPage::showProgress() {
     const auto progress = m_signals->sources().progress();
     m_progress->setVisible(progress.has_value());
+    m_cancelReading->setVisible(progress.has_value());
     if (progress)
         m_progress->setValue(static_cast<int>(std::lround(1000.0 * *progress)));
+}
+
+void PlotPage::showState() {
+    showProgress();
     QStringList parts;
     if (const std::uint64_t dropped = m_signals->dropped(); dropped > 0)
         parts << tr("%1 old samples dropped").arg(base::shortCount(dropped));

@@ -22,6 +22,9 @@ class QPushButton;
 class QStackedWidget;
 class QToolButton;
 
+namespace teleta::base {
+class ProvenanceBadge;
+}
 namespace teleta::chrome {
 class EmptyState;
 }
@@ -65,6 +68,7 @@ private:
     void showSignals();
     void showSources();
     void showReadings();
+    void showProgress();
     void showState();
     void refreshSpectra();
     void askForRecording();
@@ -80,6 +84,7 @@ private:
     signal::SignalTree* m_tree;
     QPushButton* m_addRecording;
     QProgressBar* m_progress;
+    QToolButton* m_cancelReading;
     QCheckBox* m_follow;
     QToolButton* m_everything;
     QCheckBox* m_cursors;
@@ -87,6 +92,7 @@ private:
     QToolButton* m_layoutsButton;
     QToolButton* m_saveButton;
     QMenu* m_saveMenu;
+    base::ProvenanceBadge* m_badge;
     QLabel* m_state;
     QStackedWidget* m_stack;
     chrome::EmptyState* m_empty;

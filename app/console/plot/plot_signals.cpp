@@ -6,6 +6,7 @@
 #include "widgets/signal/unit_text.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <set>
@@ -100,6 +101,27 @@ void PlotSignals::undoRemove() {
     resolve();
 }
 
+void PlotSignals::cancelReading() {
+    m_sources.cancelReadings();
+    std::vector<int> unread;
+    for (std::size_t i = 0; i < m_shown.size(); ++i)
+        if (std::ranges::find(m_reading, m_shown[i].what.id) != m_reading.end())
+            unread.push_back(static_cast<int>(i));
+    m_reading.clear();
+    remove(unread);
+}
+
+base::Provenance PlotSignals::provenance() const {
+    const auto rank = [](base::Provenance provenance) {
+        constexpr std::array kRanked{base::Provenance::live, base::Provenance::recorded,
+                                     base::Provenance::recordedSimulation, base::Provenance::simulated};
+        return std::ranges::find(kRanked, provenance) - kRanked.begin();
+    };
+    const auto strongest =
+        std::ranges::max_element(m_shown, {}, [&](const Shown& each) { return rank(each.provenance); });
+    return strongest == m_shown.end() ? base::Provenance::live : strongest->provenance;
+}
+
 void PlotSignals::set(const std::vector<PlottedSignal>& plotted) {
     m_removed.clear();
     m_shown.clear();
@@ -126,6 +148,7 @@ void PlotSignals::resolve() {
         each.unit = found->unit;
         each.rate_Hz = found->rate_Hz;
         each.isOfEvents = found->isOfEvents;
+        each.provenance = found->provenance;
         if (found->isRecorded) {
             const auto same = std::ranges::find_if(
                 m_shown, [&](const Shown& other) { return other.what.id == each.what.id && other.raw; });

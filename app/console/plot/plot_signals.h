@@ -34,8 +34,9 @@ public:
         std::string unit{}; ///< of the signal itself
         double rate_Hz = 0.0;
         bool isOfEvents = false;
-        std::shared_ptr<const signal::Series> raw{}; ///< null: not there
-        std::shared_ptr<signal::Derivative> slope{}; ///< of a derivative
+        base::Provenance provenance = base::Provenance::live; ///< stays when its source is closed
+        std::shared_ptr<const signal::Series> raw{};          ///< null: not there
+        std::shared_ptr<signal::Derivative> slope{};          ///< of a derivative
         std::shared_ptr<const signal::Spectrum> spectrum{};
         QString note{};         ///< why nothing is drawn; empty: it is
         QString spectrumNote{}; ///< the same of its spectrum
@@ -56,6 +57,10 @@ public:
     [[nodiscard]] bool canUndo() const { return !m_removed.empty(); }
     /// Brings back what was removed last.
     void undoRemove();
+    /// Ends the readings and removes the signals that are not there yet; undoRemove() reads them again.
+    void cancelReading();
+    /// Of all that is shown: simulated as soon as one of them is, else recorded as soon as one is.
+    [[nodiscard]] base::Provenance provenance() const;
     /// Plots these and nothing else.
     void set(const std::vector<PlottedSignal>& plotted);
     [[nodiscard]] std::vector<PlottedSignal> plotted() const;

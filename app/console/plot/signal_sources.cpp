@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/plot/signal_sources.h"
 
+#include "app/console/sources/source_provenance.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/background.h"
 
@@ -37,7 +38,11 @@ SignalSources::SignalSources(SourceManager& sources, QObject* parent)
 }
 
 SignalSources::~SignalSources() {
-    for (const auto& reading : m_readings)
+    cancelReadings();
+}
+
+void SignalSources::cancelReadings() {
+    for (const auto& reading : std::exchange(m_readings, {}))
         reading->cancelled = true;
 }
 
@@ -61,7 +66,11 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
         if (column == columns.end())
             return std::nullopt;
         const bool events = signal::isOfEvents(info);
-        return Signal{nullptr, std::nullopt, column->unit, events ? 0.0 : info.nominalRate_Hz, events, true};
+        Signal found;
+        found.unit = column->unit;
+        found.rate_Hz = events ? 0.0 : info.nominalRate_Hz;
+        found.isOfEvents = events;
+        return found;
     };
     for (const Live& live : m_live) {
         if (live.source->name() != id.source)
@@ -74,14 +83,23 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
             auto found = signalOf(stream.info);
             found->series = place->series;
             found->newest = place->newest;
-            found->isRecorded = false;
+            if (const SourceManager::Item* item = m_sources.find(live.key))
+                found->provenance = provenanceOf(*item);
             return found;
         }
     }
     for (const Recorded& recorded : m_recordings) {
         const auto stream = std::ranges::find(recorded.streams, id.stream, &recording::StreamInfo::name);
-        if (recorded.name == id.source && stream != recorded.streams.end())
-            return signalOf(*stream);
+        if (recorded.name != id.source || stream == recorded.streams.end())
+            continue;
+        auto found = signalOf(*stream);
+        if (found) {
+            found->isRecorded = true;
+            found->provenance = recorded.simulated.contains(stream->source)
+                                    ? base::Provenance::recordedSimulation
+                                    : base::Provenance::recorded;
+        }
+        return found;
     }
     return std::nullopt;
 }
@@ -124,7 +142,8 @@ void SignalSources::addRecording(const QString& path) {
                 return;
             }
             std::string name = freeName(shown.toStdString(), m_recordings, &Recorded::name);
-            m_recordings.push_back({std::move(name), file, std::move(*streams)});
+            std::set<std::string> simulated = signal::simulatedSourcesOf(*streams);
+            m_recordings.push_back({std::move(name), file, std::move(*streams), std::move(simulated)});
             emit changed();
         });
 }
@@ -149,6 +168,8 @@ void SignalSources::read(const std::vector<signal::SignalId>& signalIds) {
             });
         },
         [this, reading, signalIds](core::Expected<signal::RecordedSignals> read) {
+            if (reading->cancelled)
+                return;
             std::erase(m_readings, reading);
             for (std::size_t i = 0; i < signalIds.size(); ++i) {
                 if (!read)

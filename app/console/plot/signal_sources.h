@@ -4,6 +4,7 @@
 #include "app/console/sources/source_manager.h"
 #include "backend/signal/live_source.h"
 #include "backend/signal/recorded_signals.h"
+#include "widgets/base/controls/badge.h"
 #include "widgets/signal/signal_tree.h"
 
 #include <QObject>
@@ -12,6 +13,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +36,8 @@ public:
         std::string unit;
         double rate_Hz = 0.0;
         bool isOfEvents = false;
-        bool isRecorded = false;
+        bool isRecorded = false; ///< as a whole, not played
+        base::Provenance provenance = base::Provenance::live;
     };
     /// Empty: there is no such signal now.
     [[nodiscard]] std::optional<Signal> find(const signal::SignalId& id) const;
@@ -49,6 +52,8 @@ public:
     void read(const std::vector<signal::SignalId>& signalIds);
     /// Of the readings that run; empty: none does.
     [[nodiscard]] std::optional<double> progress() const;
+    /// Ends the readings that run, at their next block; nothing more is told of them.
+    void cancelReadings();
 
     /// Keeps so many samples of these live signals, and of all others what their streams grant.
     void keep(const std::vector<signal::SignalId>& signalIds, std::size_t samples);
@@ -73,6 +78,7 @@ private:
         std::string name;
         std::string path;
         std::vector<recording::StreamInfo> streams;
+        std::set<std::string> simulated; ///< sources of the streams
     };
     struct Reading {
         std::atomic<bool> cancelled{false};

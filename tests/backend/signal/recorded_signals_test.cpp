@@ -48,6 +48,16 @@ TEST_F(RecordedSignalsTest, listsTheStreams) {
     EXPECT_EQ(columnsOf((*streams)[1])[1].name, "tau1");
 }
 
+TEST(SimulatedSources, areThoseOfWhichAStreamSaysSo) {
+    const std::vector<recording::StreamInfo> streams{
+        {.name = "touches", .source = "arm", .details = ""},
+        {.name = "joints", .source = "arm", .details = R"({"simulated": true, "joints": 1})"},
+        {.name = "taxels", .source = "pad", .details = R"({"simulated": false})"},
+        {.name = "broken", .source = "camera", .details = R"({"simulated": tr)"}};
+    EXPECT_EQ(simulatedSourcesOf(streams), std::set<std::string>{"arm"});
+    EXPECT_TRUE(simulatedSourcesOf({}).empty());
+}
+
 TEST_F(RecordedSignalsTest, readsWholeColumns) {
     double done = 0.0;
     const auto read =

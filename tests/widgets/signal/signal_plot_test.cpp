@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/input_events.h"
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/controls/provenance_stripe.h"
+#include "widgets/base/theme.h"
 #include "widgets/signal/signal_plot.h"
 
 #include <qcustomplot.h>
@@ -58,6 +60,34 @@ private slots:
         draw();
     }
     void cleanup() { m_view.reset(); }
+
+    void aPictureOfDataThatAreNotLiveHasALabelAboveThem() {
+        const base::Figure live = m_view->figure();
+        m_view->setProvenance(base::Provenance::simulated);
+        const auto* stripe = m_view->findChild<base::ProvenanceStripe*>();
+        QVERIFY(stripe != nullptr && stripe->isVisible());
+        const base::Figure labelled = m_view->figure();
+        QCOMPARE(labelled.size_px.width(), live.size_px.width());
+        const int line_px = qRound(labelled.size_px.height() - live.size_px.height());
+        QVERIFY(line_px > 0);
+        QImage page(labelled.size_px.toSize(), QImage::Format_RGB32);
+        page.fill(Qt::white);
+        QPainter painter(&page);
+        labelled.paint(painter);
+        painter.end();
+        const QColor violet =
+            base::provenanceColour(base::Provenance::simulated, base::designedPalette(false));
+        int violetAbove = 0, violetBelow = 0;
+        for (int y = 0; y < page.height(); ++y)
+            for (int x = 0; x < page.width(); ++x)
+                if (page.pixelColor(x, y) == violet)
+                    ++(y < line_px ? violetAbove : violetBelow);
+        QVERIFY(violetAbove > 100);
+        QCOMPARE(violetBelow, 0);
+        m_view->setProvenance(base::Provenance::live);
+        QVERIFY(!stripe->isVisible());
+        QCOMPARE(m_view->figure().size_px, live.size_px);
+    }
 
     void followsTheNewestSampleUntilItIsHeld() {
         QCOMPARE(m_view->to_s(), 20.0);

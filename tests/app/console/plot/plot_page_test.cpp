@@ -4,6 +4,7 @@
 #include "backend/core/data/csv_reader.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/stream_columns.h"
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/theme.h"
 #include "widgets/signal/signal_plot.h"
 #include "widgets/signal/signal_table.h"
@@ -14,12 +15,14 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <cmath>
@@ -35,11 +38,13 @@ constexpr std::int64_t kStart_ns = 50'000'000'000;
 constexpr int kFrames = 2000;
 
 /// One joint whose angle is a sine of 0.3 rad at 10 Hz, 2 s at 1 kHz.
-void recordSine(const QString& path) {
+void recordSine(const QString& path, const std::string& details = {}) {
     recording::RecordingHead head;
     head.start_ns = kStart_ns;
     auto recorder = recording::Recorder::start(path.toStdString(), head, {.simulatedTime = true}).value();
-    const auto tap = recorder->addStream(recording::jointStream(1000.0, 1));
+    recording::StreamInfo joints = recording::jointStream(1000.0, 1);
+    joints.details = details;
+    const auto tap = recorder->addStream(std::move(joints));
     for (int i = 0; i < kFrames; ++i) {
         const std::vector<double> values{0.3 * std::sin(2.0 * std::numbers::pi * 0.01 * i), 0.0, 0.0};
         tap->append(kStart_ns + 1'000'000LL * i, 0.001 * i, std::span<const double>(values));
@@ -70,8 +75,11 @@ class PlotPageTest : public QObject {
             return until();
         });
     }
-    void openRecording() {
-        m_page->plotSignals().sources().addRecording(m_folder.filePath("sine.teleta"));
+    [[nodiscard]] base::ProvenanceBadge& badge() const {
+        return *m_page->findChild<base::ProvenanceBadge*>("plotProvenance");
+    }
+    void openRecording(const QString& name = QStringLiteral("sine.teleta")) {
+        m_page->plotSignals().sources().addRecording(m_folder.filePath(name));
         QVERIFY(ticks([this] { return !m_page->plotSignals().sources().entries().empty(); }));
     }
     void plotAngle() {
@@ -85,6 +93,7 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         base::applyTheme(base::ThemeChoice::light);
         recordSine(m_folder.filePath("sine.teleta"));
+        recordSine(m_folder.filePath("simulated.teleta"), R"({"simulated": true})");
     }
     void init() {
         m_settings = std::make_unique<console::ConsoleSettings>(false);
@@ -129,8 +138,10 @@ private slots:
         QCOMPARE(m_page->plotSignals().shown().size(), std::size_t{1});
         QVERIFY(m_page->plot().isVisible());
         QVERIFY(m_page->plot().isFollowing());
-        QVERIFY(ticks(
-            [this] { return m_page->plot().to_s() > m_page->plotSignals().shown().front().raw->time_s(0); }));
+        QVERIFY(ticks([this] {
+            const auto raw = m_page->plotSignals().shown().front().raw;
+            return !raw->empty() && m_page->plot().to_s() > raw->time_s(0);
+        }));
         QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw->size() > 50; }));
         const auto series = m_page->plotSignals().shown().front().raw;
         const auto size = series->size();
@@ -138,6 +149,46 @@ private slots:
         m_sources->closeAll();
         QVERIFY(ticks([this] { return m_page->plotSignals().sources().entries().empty(); }));
         QVERIFY2(m_page->plotSignals().shown().front().raw != nullptr, "what was drawn stays");
+        QVERIFY2(badge().isVisible(), "and is still no measurement");
+        QCOMPARE(badge().provenance(), base::Provenance::simulated);
+    }
+
+    void dataThatAreNotLiveSaySo() {
+        QVERIFY(!badge().isVisible());
+        plotAngle();
+        QVERIFY(badge().isVisible());
+        QCOMPARE(badge().provenance(), base::Provenance::recorded);
+        m_page->plotSignals().sources().addRecording(m_folder.filePath("simulated.teleta"));
+        QVERIFY(ticks([this] { return m_page->plotSignals().sources().entries().size() == 2; }));
+        m_page->plotSignals().add({{"simulated.teleta", "joints", "q1"}});
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown()[1].raw != nullptr; }));
+        QCOMPARE(badge().provenance(), base::Provenance::recordedSimulation);
+        QTreeWidget& table = m_page->table().view();
+        table.setFocus();
+        table.setCurrentItem(table.topLevelItem(1));
+        QTest::keyClick(&table, Qt::Key_Delete);
+        QCOMPARE(badge().provenance(), base::Provenance::recorded);
+        table.setCurrentItem(table.topLevelItem(0));
+        QTest::keyClick(&table, Qt::Key_Delete);
+        QVERIFY(!badge().isVisible());
+    }
+
+    void aReadingIsCancelledAndDoneAgain() {
+        openRecording();
+        auto* cancel = m_page->findChild<QToolButton*>("cancelReading");
+        auto* progress = m_page->findChild<QProgressBar*>();
+        QVERIFY(!cancel->isVisible());
+        m_page->plotSignals().add({m_angle}); // its result is taken by the event loop, not before
+        QVERIFY(cancel->isVisible() && progress->isVisible());
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QVERIFY(m_page->plotSignals().shown().empty());
+        QVERIFY(!cancel->isVisible() && !progress->isVisible());
+        QTest::keyClick(m_page.get(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_page->plotSignals().shown().size(), std::size_t{1});
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw != nullptr; }));
+        QCOMPARE(m_page->plotSignals().shown().front().raw->size(), std::size_t{kFrames});
+        QVERIFY(!cancel->isVisible());
+        QCOMPARE(m_page->messages().count(), 0);
     }
 
     void aRecordingIsReadAsAWhole() {
