@@ -2757,6 +2757,10 @@ Exemples&#xa0;:
         <source>Mean error (%1)</source>
         <translation>Erreur moyenne (%1)</translation>
     </message>
+    <message>
+        <source>Limit: %1</source>
+        <translation>Limite&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>CostFileText</name>
@@ -14472,6 +14476,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Calls of a few microseconds are timed together; their 99 % is one of means.</source>
         <translation>Les appels de quelques microsecondes sont chronométrés ensemble&#xa0;; leur 99&#xa0;% est celui de moyennes.</translation>
     </message>
+    <message>
+        <source>Fastest: %1, %2 times the limit (%3: %4).</source>
+        <translation>Le plus rapide&#xa0;: %1, %2 fois la limite (%3&#xa0;: %4).</translation>
+    </message>
 </context>
 <context>
     <name>TransferText</name>
@@ -17254,6 +17262,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Sweeps</source>
         <translation>Balayages</translation>
     </message>
+    <message>
+        <source>Fastest: %1, %2 times the limit (%3: %4).</source>
+        <translation>Le plus rapide&#xa0;: %1, %2 fois la limite (%3&#xa0;: %4).</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::DeletionDialog</name>
@@ -17285,6 +17297,21 @@ Lancez teleta-site --help pour en savoir plus.
         <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>Toutes les sessions, réponses, notes, enregistrements et fichiers exportés de&#xa0;%1 sont supprimés. C’est irréversible. L’étude garde la trace que quelqu’un a été supprimé, et quand. Les résultats calculés auparavant, et les copies ailleurs, restent tels quels.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>&amp;Agrandir</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>&amp;Détacher</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
     </message>
 </context>
 <context>
@@ -19333,6 +19360,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Choose another folder or file name.</source>
         <translation>Choisissez un autre dossier ou un autre nom de fichier.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Annuler</translation>
+    </message>
+    <message>
+        <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -24084,21 +24119,6 @@ Toutes les autres vues fonctionnent sans elle.</translation>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>Cet affichage n’offre pas OpenGL %1.%2 ou plus récent.</translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::DockTabs</name>
-    <message>
-        <source>&amp;Maximise</source>
-        <translation>&amp;Agrandir</translation>
-    </message>
-    <message>
-        <source>&amp;Float</source>
-        <translation>&amp;Détacher</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Fermer</translation>
     </message>
 </context>
 </TS>

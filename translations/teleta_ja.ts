@@ -2752,6 +2752,10 @@ Examples:
         <source>Mean error (%1)</source>
         <translation>平均誤差 (%1)</translation>
     </message>
+    <message>
+        <source>Limit: %1</source>
+        <translation>限界: %1</translation>
+    </message>
 </context>
 <context>
     <name>CostFileText</name>
@@ -14436,6 +14440,10 @@ Run teleta-site --help for more.
         <source>Calls of a few microseconds are timed together; their 99 % is one of means.</source>
         <translation>数マイクロ秒の呼び出しはまとめて計測され、その 99 % は平均値のものです。</translation>
     </message>
+    <message>
+        <source>Fastest: %1, %2 times the limit (%3: %4).</source>
+        <translation>最速: %1、限界 (%3: %4) の %2 倍です。</translation>
+    </message>
 </context>
 <context>
     <name>TransferText</name>
@@ -17204,6 +17212,10 @@ Run teleta-site --help for more.
         <source>Sweeps</source>
         <translation>スイープ</translation>
     </message>
+    <message>
+        <source>Fastest: %1, %2 times the limit (%3: %4).</source>
+        <translation>最速: %1、限界 (%3: %4) の %2 倍です。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::DeletionDialog</name>
@@ -17235,6 +17247,21 @@ Run teleta-site --help for more.
         <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>%1のすべてのセッション、回答、メモ、記録、エクスポートされたファイルが削除されます。元に戻せません。実験には、誰かが削除されたことと日時だけが残ります。以前に計算された結果や、ほかの場所のコピーはそのまま残ります。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>最大化(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>切り離す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>閉じる(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -19278,6 +19305,14 @@ Run teleta-site --help for more.
     <message>
         <source>Choose another folder or file name.</source>
         <translation>別のフォルダーまたはファイル名を選んでください。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -24017,21 +24052,6 @@ All other views work without it.</source>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>このディスプレイはOpenGL %1.%2以降に対応していません。</translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::DockTabs</name>
-    <message>
-        <source>&amp;Maximise</source>
-        <translation>最大化(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Float</source>
-        <translation>切り離す(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>閉じる(&amp;C)</translation>
     </message>
 </context>
 </TS>

@@ -2752,6 +2752,10 @@ Examples:
         <source>Mean error (%1)</source>
         <translation>平均误差（%1）</translation>
     </message>
+    <message>
+        <source>Limit: %1</source>
+        <translation>极限：%1</translation>
+    </message>
 </context>
 <context>
     <name>CostFileText</name>
@@ -14436,6 +14440,10 @@ Run teleta-site --help for more.
         <source>Calls of a few microseconds are timed together; their 99 % is one of means.</source>
         <translation>几微秒的调用会合在一起计时，其 99 % 是均值的 99 %。</translation>
     </message>
+    <message>
+        <source>Fastest: %1, %2 times the limit (%3: %4).</source>
+        <translation>最快：%1，为极限（%3：%4）的 %2 倍。</translation>
+    </message>
 </context>
 <context>
     <name>TransferText</name>
@@ -17204,6 +17212,10 @@ Run teleta-site --help for more.
         <source>Sweeps</source>
         <translation>扫描</translation>
     </message>
+    <message>
+        <source>Fastest: %1, %2 times the limit (%3: %4).</source>
+        <translation>最快：%1，为极限（%3：%4）的 %2 倍。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::DeletionDialog</name>
@@ -17235,6 +17247,21 @@ Run teleta-site --help for more.
         <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>%1 的全部场次、回答、备注、记录和导出文件都会被删除，且无法撤销。研究只保留“有人被删除”及其时间。以前算出的结果以及别处的副本保持不变。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>最大化(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>浮动(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -19278,6 +19305,14 @@ Run teleta-site --help for more.
     <message>
         <source>Choose another folder or file name.</source>
         <translation>请选择其他文件夹或文件名。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -24017,21 +24052,6 @@ All other views work without it.</source>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>此显示器不提供 OpenGL %1.%2 或更新版本。</translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::DockTabs</name>
-    <message>
-        <source>&amp;Maximise</source>
-        <translation>最大化(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Float</source>
-        <translation>浮动(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
     </message>
 </context>
 </TS>
