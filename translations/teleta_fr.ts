@@ -19363,11 +19363,11 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annuler</translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter la lecture et retirer ces signaux&#xa0;; Ctrl+Z les relit</translation>
     </message>
 </context>
 <context>

@@ -19308,11 +19308,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">キャンセル</translation>
+        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
-        <translation type="unfinished"></translation>
+        <translation>読み取りを中止し、これらの信号を取り除きます。Ctrl+Z でもう一度読み取ります</translation>
     </message>
 </context>
 <context>

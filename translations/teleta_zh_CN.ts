@@ -19308,11 +19308,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
-        <translation type="unfinished"></translation>
+        <translation>停止读取并移除这些信号；Ctrl+Z 可重新读取</translation>
     </message>
 </context>
 <context>
