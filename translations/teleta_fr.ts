@@ -15151,6 +15151,46 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::StepList</name>
+    <message>
+        <source>%1 of %2 running</source>
+        <translation>%1 sur %2 en cours</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <comment>a calibration</comment>
+        <translation>non enregistré</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <comment>a calibration</comment>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>a calibration</comment>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 sur %2 faits</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <comment>a calibration</comment>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <comment>number, name and state of a step</comment>
+        <translation>%1. %2&#xa0;: %3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::CameraPanel</name>
     <message>
         <source>Pause</source>
@@ -16728,6 +16768,21 @@ Lancez teleta-site --help pour en savoir plus.
         <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>Toutes les sessions, réponses, notes, enregistrements et fichiers exportés de&#xa0;%1 sont supprimés. C’est irréversible. L’étude garde la trace que quelqu’un a été supprimé, et quand. Les résultats calculés auparavant, et les copies ailleurs, restent tels quels.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>&amp;Agrandir</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>&amp;Détacher</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
     </message>
 </context>
 <context>
@@ -18776,6 +18831,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Choose another folder or file name.</source>
         <translation>Choisissez un autre dossier ou un autre nom de fichier.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
+        <translation>Arrêter la lecture et retirer ces signaux&#xa0;; Ctrl+Z les relit</translation>
     </message>
 </context>
 <context>
@@ -23527,21 +23590,6 @@ Toutes les autres vues fonctionnent sans elle.</translation>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>Cet affichage n’offre pas OpenGL %1.%2 ou plus récent.</translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::DockTabs</name>
-    <message>
-        <source>&amp;Maximise</source>
-        <translation>&amp;Agrandir</translation>
-    </message>
-    <message>
-        <source>&amp;Float</source>
-        <translation>&amp;Détacher</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Fermer</translation>
     </message>
 </context>
 </TS>

@@ -15114,6 +15114,46 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::StepList</name>
+    <message>
+        <source>%1 of %2 running</source>
+        <translation>%2 中 %1 を実行中</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <comment>a calibration</comment>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <comment>a calibration</comment>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>a calibration</comment>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%2 中 %1 完了</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <comment>a calibration</comment>
+        <translation>未実施</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <comment>number, name and state of a step</comment>
+        <translation>%1. %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::CameraPanel</name>
     <message>
         <source>Pause</source>
@@ -16682,6 +16722,21 @@ Run teleta-site --help for more.
         <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>%1のすべてのセッション、回答、メモ、記録、エクスポートされたファイルが削除されます。元に戻せません。実験には、誰かが削除されたことと日時だけが残ります。以前に計算された結果や、ほかの場所のコピーはそのまま残ります。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>最大化(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>切り離す(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>閉じる(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -18725,6 +18780,14 @@ Run teleta-site --help for more.
     <message>
         <source>Choose another folder or file name.</source>
         <translation>別のフォルダーまたはファイル名を選んでください。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
+        <translation>読み込みをやめて、これらの信号を外します。Ctrl+Z で読み直します</translation>
     </message>
 </context>
 <context>
@@ -23464,21 +23527,6 @@ All other views work without it.</source>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>このディスプレイはOpenGL %1.%2以降に対応していません。</translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::DockTabs</name>
-    <message>
-        <source>&amp;Maximise</source>
-        <translation>最大化(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Float</source>
-        <translation>切り離す(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>閉じる(&amp;C)</translation>
     </message>
 </context>
 </TS>

@@ -15114,6 +15114,46 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::StepList</name>
+    <message>
+        <source>%1 of %2 running</source>
+        <translation>正在进行 %1/%2</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <comment>a calibration</comment>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <comment>a calibration</comment>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>a calibration</comment>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>已完成 %1/%2</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <comment>a calibration</comment>
+        <translation>待做</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <comment>number, name and state of a step</comment>
+        <translation>%1. %2：%3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::CameraPanel</name>
     <message>
         <source>Pause</source>
@@ -16682,6 +16722,21 @@ Run teleta-site --help for more.
         <source>All sessions, answers, notes, recordings and exported files of %1 are deleted. This cannot be undone. The study records that somebody was deleted, and when. Results that were computed before, and copies elsewhere, stay as they are.</source>
         <comment>a participant</comment>
         <translation>%1 的全部场次、回答、备注、记录和导出文件都会被删除，且无法撤销。研究只保留“有人被删除”及其时间。以前算出的结果以及别处的副本保持不变。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::DockTabs</name>
+    <message>
+        <source>&amp;Maximise</source>
+        <translation>最大化(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>浮动(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -18725,6 +18780,14 @@ Run teleta-site --help for more.
     <message>
         <source>Choose another folder or file name.</source>
         <translation>请选择其他文件夹或文件名。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
+        <translation>停止读取并移除这些信号；Ctrl+Z 重新读取</translation>
     </message>
 </context>
 <context>
@@ -23464,21 +23527,6 @@ All other views work without it.</source>
     <message>
         <source>This display does not support OpenGL %1.%2 or newer.</source>
         <translation>此显示器不提供 OpenGL %1.%2 或更新版本。</translation>
-    </message>
-</context>
-<context>
-    <name>teleta::console::DockTabs</name>
-    <message>
-        <source>&amp;Maximise</source>
-        <translation>最大化(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Float</source>
-        <translation>浮动(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
     </message>
 </context>
 </TS>
