@@ -15716,6 +15716,46 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::StepList</name>
+    <message>
+        <source>%1 of %2 running</source>
+        <translation>%1 sur %2 en cours</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <comment>a calibration</comment>
+        <translation>non enregistré</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <comment>a calibration</comment>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>a calibration</comment>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 sur %2 faits</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <comment>a calibration</comment>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <comment>number, name and state of a step</comment>
+        <translation>%1. %2&#xa0;: %3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::CameraPanel</name>
     <message>
         <source>Pause</source>

@@ -15675,6 +15675,46 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::StepList</name>
+    <message>
+        <source>%1 of %2 running</source>
+        <translation>%2 中 %1 を実行中</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <comment>a calibration</comment>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <comment>a calibration</comment>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <comment>a calibration</comment>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%2 中 %1 完了</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <comment>a calibration</comment>
+        <translation>未実施</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3</source>
+        <comment>number, name and state of a step</comment>
+        <translation>%1. %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::CameraPanel</name>
     <message>
         <source>Pause</source>

@@ -153,6 +153,18 @@ void GainsView::showTrouble(const QString& text) {
     refresh();
 }
 
+StepReading GainsView::step() const {
+    if (m_pressing)
+        return {.state = StepState::running, .share = m_pressing->collected_s / m_pressing->wanted_s};
+    if (m_busy)
+        return {.state = StepState::running};
+    if (!m_trouble.isEmpty())
+        return {.state = StepState::failed};
+    if (!isSaved())
+        return {.state = StepState::notSaved};
+    return {.state = m_calibration.gains ? StepState::done : StepState::toDo};
+}
+
 QString GainsView::describeGains() const {
     if (!m_calibration.gains)
         return {};

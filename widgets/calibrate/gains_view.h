@@ -6,6 +6,7 @@
 #include "widgets/base/controls/elided_label.h"
 #include "widgets/calibrate/calibration_view.h"
 #include "widgets/calibrate/gain_map.h"
+#include "widgets/calibrate/step_list.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -70,6 +71,7 @@ public:
     void setBusy(bool busy);
     /// Shows why nothing has changed.
     void showTrouble(const QString& text);
+    [[nodiscard]] StepReading step() const;
 
 signals:
     void tareRequested();

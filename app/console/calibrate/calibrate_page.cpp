@@ -6,9 +6,9 @@
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"
 #include "widgets/calibrate/motors_view.h"
+#include "widgets/calibrate/step_list.h"
 
 #include <QHBoxLayout>
-#include <QListWidget>
 #include <QMessageBox>
 #include <QVBoxLayout>
 
@@ -18,8 +18,6 @@ namespace teleta::console {
 
 namespace {
 
-constexpr double kRow_em = 2.2; ///< of the list: large enough for a finger
-
 /// Rows of the list.
 enum CalibratePart { motorsPart, cameraPart, gainsPart, partCount };
 
@@ -28,7 +26,7 @@ enum CalibratePart { motorsPart, cameraPart, gainsPart, partCount };
 CalibratePage::CalibratePage(BraceletService& station, SourceManager& sources, QWidget* parent)
     : QWidget(parent)
     , m_messages(new chrome::MessageBar(this))
-    , m_parts(new QListWidget(this))
+    , m_parts(new calibrate::StepList(partCount, this))
     , m_contents(new PageStack(this))
     , m_motors(new MotorCalibrator(station, this))
     , m_camera(new CameraCalibrator)
@@ -64,8 +62,6 @@ CalibratePage::CalibratePage(BraceletService& station, SourceManager& sources, Q
 }
 
 void CalibratePage::addPart(QWidget* content) {
-    m_parts->addItem(QString());
-    m_parts->item(m_parts->count() - 1)->setSizeHint(QSize(0, base::em(this, kRow_em)));
     m_contents->addPage(content);
 }
 
@@ -77,6 +73,9 @@ void CalibratePage::openPairs(const QString& path) {
 void CalibratePage::tick() {
     m_motors->tick();
     m_gains->tick();
+    m_parts->setReading(motorsPart, m_motors->step());
+    m_parts->setReading(cameraPart, m_camera->step());
+    m_parts->setReading(gainsPart, m_gains->view().step());
 }
 
 bool CalibratePage::isSaved(int part) const {
@@ -151,9 +150,9 @@ void CalibratePage::whenGainsSettled(pipeline::ChannelKey key, const QString& na
 
 void CalibratePage::retranslate() {
     m_parts->setAccessibleName(tr("What can be calibrated"));
-    m_parts->item(motorsPart)->setText(tr("Bracelet motors"));
-    m_parts->item(cameraPart)->setText(tr("Cylinder camera"));
-    m_parts->item(gainsPart)->setText(tr("Taxel gains"));
+    m_parts->setName(motorsPart, tr("Bracelet motors"));
+    m_parts->setName(cameraPart, tr("Cylinder camera"));
+    m_parts->setName(gainsPart, tr("Taxel gains"));
 }
 
 } // namespace teleta::console

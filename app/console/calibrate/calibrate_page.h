@@ -12,14 +12,18 @@
 
 #include <functional>
 
-class QListWidget;
 class QMessageBox;
+
+namespace teleta::calibrate {
+class StepList;
+}
 
 namespace teleta::console {
 
 class PageStack;
 
-/// The Calibrate page: the list of things to calibrate on the left, the chosen one on the right. Thread: GUI.
+/// The Calibrate page: the things to calibrate as numbered steps with their states on the left, the chosen
+/// one on the right. Thread: GUI.
 class CalibratePage : public QWidget {
     Q_OBJECT
 
@@ -56,7 +60,7 @@ private:
     void retranslate();
 
     chrome::MessageBar* m_messages;
-    QListWidget* m_parts;
+    calibrate::StepList* m_parts;
     PageStack* m_contents;
     MotorCalibrator* m_motors;
     CameraCalibrator* m_camera;

@@ -39,6 +39,7 @@ MotorCalibrator::MotorCalibrator(BraceletService& station, QWidget* parent)
     connect(m_view, &MotorsView::measureRequested, this, [this](const std::vector<std::size_t>& motors) {
         m_waiting.assign(motors.rbegin(), motors.rend());
         m_asked = motors.size();
+        m_failed = false;
         measureNext();
     });
     connect(m_view, &MotorsView::cancelMeasureRequested, this, &MotorCalibrator::cancel);
@@ -81,6 +82,7 @@ MotorCalibrator::~MotorCalibrator() {
 
 void MotorCalibrator::onSession() {
     cancel();
+    m_failed = false;
     m_view->setCalibration(m_station.calibration());
     tick();
 }
@@ -151,7 +153,7 @@ void MotorCalibrator::measureNext() {
                 return;
             const bool failed = !fitted.second;
             if (!failed || fitted.second.error().kind != core::ErrorKind::cancelled)
-                m_view->takeFit(motor, fitted.first, fitted.second);
+                take(motor, fitted);
             if (failed)
                 m_waiting.clear();
             measureNext();
@@ -172,7 +174,31 @@ void MotorCalibrator::refuseRun() {
     const std::size_t motor = m_measuring.value_or(0);
     const core::Error why{core::ErrorKind::refused, m_station.note().toStdString(), {}, {}};
     cancel();
-    m_view->takeFit(motor, {}, core::Unexpected(why));
+    take(motor, {{}, core::Unexpected(why)});
+}
+
+void MotorCalibrator::take(std::size_t motor, const Fitted& fitted) {
+    m_failed = !fitted.second;
+    m_view->takeFit(motor, fitted.first, fitted.second);
+}
+
+calibrate::StepReading MotorCalibrator::step() const {
+    using calibrate::StepState;
+    const auto& motors = m_view->calibration().motors;
+    const int all = static_cast<int>(motors.size());
+    const int measured = static_cast<int>(std::ranges::count_if(motors, &motors::CalibratedMotor::measured));
+    if (m_measuring)
+        return {.state = StepState::running,
+                .number = static_cast<int>(m_asked - m_waiting.size()),
+                .of = static_cast<int>(m_asked),
+                .share = (static_cast<double>(m_asked - m_waiting.size()) - 1.0 +
+                          (m_run ? m_run->progress.load() : 0.0)) /
+                         static_cast<double>(m_asked)};
+    if (m_failed)
+        return {.state = StepState::failed};
+    if (!m_view->isSaved())
+        return {.state = StepState::notSaved};
+    return {.state = measured == all ? StepState::done : StepState::toDo, .number = measured, .of = all};
 }
 
 void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {
@@ -188,7 +214,7 @@ void MotorCalibrator::openRecording(std::size_t motor, const QString& path) {
         [this, motor, serial = m_view->calibration().bracelet](Fitted fitted) {
             // Another bracelet may have been connected meanwhile.
             if (serial == m_view->calibration().bracelet)
-                m_view->takeFit(motor, fitted.first, fitted.second);
+                take(motor, fitted);
         });
 }
 

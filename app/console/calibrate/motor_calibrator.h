@@ -4,6 +4,7 @@
 #include "app/console/bracelet/bracelet_service.h"
 #include "backend/motors/motor_fit.h"
 #include "backend/motors/motor_recording.h"
+#include "widgets/calibrate/step_list.h"
 
 #include <QObject>
 #include <QString>
@@ -34,6 +35,7 @@ public:
     ~MotorCalibrator() override;
 
     [[nodiscard]] calibrate::MotorsView& view() { return *m_view; }
+    [[nodiscard]] calibrate::StepReading step() const;
     void tick();
 
     /// Fits a motor to a recording.
@@ -63,6 +65,8 @@ private:
     void cancel();
     /// Ends a run that must not drive the bracelet, and says why.
     void refuseRun();
+    /// Shows a fit, or why there is none.
+    void take(std::size_t motor, const Fitted& fitted);
     void writeExcitation(const QString& path);
     void report(const QString& what, const core::Error& error);
 
@@ -71,6 +75,7 @@ private:
     std::vector<std::size_t> m_waiting; ///< motors still to be measured, the next one last
     std::size_t m_asked = 0;            ///< how many were to be measured
     std::optional<std::size_t> m_measuring;
+    bool m_failed = false; ///< the last measurement or recording
     std::shared_ptr<Run> m_run;
     std::vector<std::shared_ptr<Run>> m_runs; ///< runs whose thread may still use the bracelet
 };

@@ -65,6 +65,23 @@ class GainsViewTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void itsStepSaysHowFarItIs() {
+        GainsDesk desk;
+        QCOMPARE(desk.view.step(), StepReading{});
+        desk.view.setProgress(PressProgress{.waiting = false, .collected_s = 0.5, .wanted_s = 2.0});
+        QCOMPARE(desk.view.step(), (StepReading{.state = StepState::running, .share = 0.25}));
+        desk.view.setProgress(std::nullopt);
+        desk.view.setBusy(true);
+        QCOMPARE(desk.view.step(), StepReading{.state = StepState::running});
+        desk.view.setBusy(false);
+        desk.view.showTrouble("no load");
+        QCOMPARE(desk.view.step(), StepReading{.state = StepState::failed});
+        desk.view.take(onePress());
+        QCOMPARE(desk.view.step(), StepReading{.state = StepState::notSaved});
+        desk.view.markSaved();
+        QCOMPARE(desk.view.step(), StepReading{.state = StepState::done});
+    }
+
     void withoutAnArrayItOffersTheDemoAndNothingElse() {
         GainsDesk desk;
         desk.view.setFacts({});

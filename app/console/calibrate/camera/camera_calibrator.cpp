@@ -372,6 +372,20 @@ const CameraCalibrator::Answer* CameraCalibrator::answer() const {
     return nullptr;
 }
 
+calibrate::StepReading CameraCalibrator::step() const {
+    using calibrate::StepState;
+    if (m_probing->isRunning())
+        return {.state = StepState::running, .share = m_probedShare};
+    if (m_live->isRunning() || m_fitting)
+        return {.state = StepState::running};
+    const Answer* chosen = answer();
+    if (m_work.pairs.empty() || chosen == nullptr)
+        return {};
+    if (!chosen->calibration)
+        return {.state = StepState::failed};
+    return {.state = isSaved() ? StepState::done : StepState::notSaved};
+}
+
 QString CameraCalibrator::verdict() const {
     if (m_shown.pairs.empty())
         return m_probing->isRunning() || m_live->isRunning()

@@ -6,6 +6,7 @@
 #include "backend/core/error.h"
 #include "backend/vision/calibration/camera_file.h"
 #include "backend/vision/camera/hole_grid.h"
+#include "widgets/calibrate/step_list.h"
 #include "widgets/camera/residual_picture.h"
 
 #include <QString>
@@ -90,6 +91,7 @@ public:
     [[nodiscard]] const Answer* answer() const;
     [[nodiscard]] bool isBusy() const { return m_fitting; }
     [[nodiscard]] QString verdict() const;
+    [[nodiscard]] calibrate::StepReading step() const;
 
 signals:
     /// A message for the page's message bar.
@@ -162,7 +164,8 @@ private:
     camera::PairModel* m_model;
     QTableView* m_table;
     CameraProbing* m_probing;
-    int m_probingRun = 0; ///< number of the newest probing
+    double m_probedShare = 0.0; ///< of the simulated tube
+    int m_probingRun = 0;       ///< number of the newest probing
     QAction* m_probe;
     ProbingStrip* m_strip;
     LiveProbingPanel* m_live;

@@ -23,7 +23,11 @@ void CameraCalibrator::buildProbing() {
     });
     connect(m_probing, &CameraProbing::failed, this,
             [this](const QString& trouble) { emit message(trouble, true); });
-    connect(m_probing, &CameraProbing::runningChanged, this, &CameraCalibrator::refresh);
+    connect(m_probing, &CameraProbing::progressed, this, [this](double share) { m_probedShare = share; });
+    connect(m_probing, &CameraProbing::runningChanged, this, [this] {
+        m_probedShare = 0.0;
+        refresh();
+    });
 }
 
 void CameraCalibrator::probe(std::uint64_t seed) {

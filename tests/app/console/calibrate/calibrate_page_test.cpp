@@ -9,12 +9,12 @@
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/motor_table.h"
 #include "widgets/calibrate/motors_view.h"
+#include "widgets/calibrate/step_list.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -46,6 +46,9 @@ class CalibratePageTest : public QObject {
     QTemporaryDir m_folder;
 
     calibrate::MotorsView& view() { return m_page->motors().view(); }
+    [[nodiscard]] QString chip(int step) const {
+        return m_page->findChild<calibrate::StepList*>()->stateText(step);
+    }
 
 private slots:
     void initTestCase() {
@@ -79,7 +82,7 @@ private slots:
     }
 
     void theListOfPartsHasRowsThatAFingerHits() {
-        const auto* parts = m_page->findChild<QListWidget*>();
+        const auto* parts = m_page->findChild<calibrate::StepList*>();
         QCOMPARE(parts->count(), 3);
         for (int row = 0; row < parts->count(); ++row)
             QVERIFY(parts->visualItemRect(parts->item(row)).height() >= base::em(parts, 2.0));
@@ -122,12 +125,16 @@ private slots:
     void stopEndsAMeasurementAndSaysSo() {
         QTest::mouseClick(test::part(view(), "measureAll"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.1);
+        QTRY_COMPARE(chip(0), QString("1 of 6 running"));
         m_stop.engage();
         QTRY_VERIFY_WITH_TIMEOUT(test::textOf(view(), "verdict").contains(QLatin1String("STOP")), 10'000);
         QVERIFY(!view().calibration().measured());
         QVERIFY(!test::part(view(), "measure")->isEnabled());
+        QTRY_COMPARE(chip(0), QString("failed"));
         m_stop.release();
         QTRY_VERIFY(test::part(view(), "measure")->isEnabled());
+        m_station->choose(BraceletChoice::none);
+        QTRY_COMPARE(chip(0), QString("to do"));
     }
 
     void leavesABraceletAloneThatIsReserved() {
@@ -222,8 +229,10 @@ private slots:
         m_page->motors().openRecording(5, m_folder.filePath("m.csv"));
         QTRY_VERIFY(view().calibration().measured());
         const motors::MotorCalibration measured = view().calibration();
+        QTRY_COMPARE(chip(0), QString("not saved"));
         QTest::mouseClick(test::part(view(), "save"), Qt::LeftButton);
         QTRY_VERIFY(view().isSaved());
+        QTRY_COMPARE(chip(0), QString("1 of 6 done"));
         QVERIFY(QFileInfo::exists(QString::fromStdString(motors::profilePath("simulated"))));
         m_station->choose(BraceletChoice::none);
         QTRY_VERIFY(!view().calibration().measured());
@@ -231,6 +240,17 @@ private slots:
         QTRY_VERIFY(view().calibration().measured());
         QCOMPARE(view().calibration(), measured);
         QVERIFY(view().isSaved());
+    }
+
+    void theStepOfTheCameraFollowsItsPairs() {
+        QCOMPARE(chip(1), QString("to do"));
+        m_page->camera().probe();
+        QTRY_COMPARE(chip(1), QString("running"));
+        QTRY_COMPARE_WITH_TIMEOUT(chip(1), QString("not saved"), 60'000);
+        m_page->camera().savePairs(m_folder.filePath("pairs.csv"));
+        QTRY_COMPARE(chip(1), QString("done"));
+        m_page->camera().setPairs({m_page->camera().work().pairs.front()});
+        QTRY_COMPARE(chip(1), QString("failed"));
     }
 
     void saysWhenARecordingOrAProfileIsOfNoUse() {
