@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/failure.h"
+#include "backend/cost/cost_result.h"
 #include "backend/sweep/subjects.h"
 
 #include <QCoreApplication>
@@ -82,7 +83,9 @@ core::Expected<std::unique_ptr<SweepSubject>> makeLadderSubject(SweepPlan& plan,
             core::ErrorKind::badInput,
             LadderSweepText::tr("there is no ladder \"%1\"").arg(QString::fromStdString(plan.subject)),
             LadderSweepText::tr("one of: %1").arg(known.join(QStringLiteral(", "))), {plan.file});
-    TELETA_TRY(const std::vector<cost::Rung> rungs, ladder->makeRungs());
+    TELETA_TRY(std::vector<cost::Rung> rungs, ladder->makeRungs());
+    // The limit has no error to sweep over.
+    std::erase_if(rungs, [](const cost::Rung& rung) { return rung.name == cost::kLimitName; });
     if (plan.axes.empty()) {
         SweepAxis all{{{"rung", {plan.file}}}, {}, false};
         for (const cost::Rung& rung : rungs)

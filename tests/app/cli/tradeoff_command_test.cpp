@@ -112,7 +112,7 @@ TEST_F(TradeoffCommand, aNoisyMachineIsToldAndItsTimesAreNotShown) {
     EXPECT_NE(result.err.find("too busy"), std::string::npos) << result.err;
     EXPECT_NE(result.out.find("refused"), std::string::npos);
     const auto rows = splitCsv(readAll(folder + "/tradeoff.csv"));
-    ASSERT_EQ(rows.size(), 4U);
+    ASSERT_EQ(rows.size(), 5U);
     EXPECT_EQ(rows[1][7], "NA");
     EXPECT_EQ(rows[1][8], "NA");
     EXPECT_EQ(rows[1][10], "no");

@@ -3,13 +3,13 @@
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/demo_card.h"
 #include "widgets/chrome/page_rail.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
-#include <QCommandLinkButton>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -215,7 +215,7 @@ private slots:
         window.show();
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
-        const auto cards = window.operatePage().findChildren<QCommandLinkButton*>();
+        const auto cards = window.operatePage().findChildren<chrome::DemoCard*>();
         QVERIFY(cards.size() > 10);
         std::set<QWidget*> left(cards.begin(), cards.end());
         constexpr int kMostStops = 200;
