@@ -22,6 +22,8 @@ constexpr double kEven = 0.8;
 /// Where the motion begins, or is another one.
 constexpr double kLeastRate = 0.02;
 constexpr double kMostRate = 1.5;
+/// A motion that lasts so many times its rise tells its drift without the speed-up.
+constexpr double kLongest = 50.0;
 /// Errors of rates and accelerations that are small enough, as shares.
 constexpr double kRateError = 0.05;
 constexpr double kAccelerationError = 0.1;
@@ -84,7 +86,7 @@ public:
             !chooseAccelerationWidth())
             return std::nullopt;
         readAccelerations();
-        // A damped joint feels a contact later than it begins: the first fit without a trace of it.
+        // The torque begins to rise before the contact is noticed. The first fit without a pattern counts.
         std::optional<SpeedUp> best;
         for (int trimmed = kLeastTrim; trimmed <= kMostTrim; ++trimmed) {
             m_end_s = m_free.back().time_s - 0.1 * trimmed * m_rise_s;
@@ -158,7 +160,8 @@ private:
         }
         m_rise_s = std::max(quick_s - slow_s, m_halfWidth_s);
         m_result.first = static_cast<std::size_t>(within(m_free, first_s, m_end_s).data() - m_free.data());
-        return least < kEven && m_free.size() - m_result.first >= kLeastInMotion;
+        return least < kEven && m_free.size() - m_result.first >= kLeastInMotion &&
+               m_end_s - first_s <= kLongest * m_rise_s;
     }
 
     /// Wide enough to tell an acceleration, but shorter than the rise of the rate.
@@ -209,14 +212,15 @@ private:
         return (1.0 - share) * grid[index] + share * grid[index + 1];
     }
 
-    /// One step of Gauss and Newton from a lag: torque, drift, gravity, inertia and the lag's change. False:
-    /// the motion does not tell them apart.
+    /// One Gauss-Newton step from a lag: torque, drift, gravity, inertia and the change of the lag. False:
+    /// the motion cannot tell them apart.
     bool step(double lag_s, double inertia_Nm) {
         const double apart_s = 0.02 * m_rise_s;
         const std::vector<double> here = filtered(lag_s);
-        const std::vector<double> before = filtered(std::max(0.0, lag_s - apart_s));
+        const double shorter_s = std::max(0.0, lag_s - apart_s);
+        const std::vector<double> before = filtered(shorter_s);
         const std::vector<double> after = filtered(lag_s + apart_s);
-        const double perLag = m_rise_s / (lag_s + apart_s - std::max(0.0, lag_s - apart_s));
+        const double perLag = m_rise_s / (lag_s + apart_s - shorter_s);
         const auto samples = within(m_free.subspan(m_result.first), m_gridStart_s, m_end_s);
         if (samples.size() < kLeastInMotion)
             return false;

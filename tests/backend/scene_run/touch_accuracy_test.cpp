@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <variant>
 
 namespace teleta::scene_run {
 namespace {
@@ -59,6 +60,30 @@ TEST(TouchAccuracy, touchesOfTheScenesFiveMaterialsAreWithinTheirTolerancesIn95P
     }
     std::cout << "metal: " << boundedMetal << " of " << kRuns << " only bounded\n";
     EXPECT_GE(boundedMetal, least);
+}
+
+// The arm takes up its speed just before the touch, so that part of the torque before it is the links'.
+TEST(TouchAccuracy, theIntervalsOfSoftObjectsThatAreApproachedQuicklyHoldTheTruth) {
+    auto scene = scene::readScene(TELETA_SOURCE_DIR "/resources/scenes/teleta-touch.toml");
+    ASSERT_TRUE(scene) << describe(scene.error());
+    auto& world = std::get<scene::ArmWorld>(scene->world);
+    std::get<scene::TouchProgram>(world.program).approach_radPerS = 0.03;
+    for (scene::ArmObject& object : world.objects)
+        object.stiffness_NPerM = 200.0;
+    for (scene::Effect& effect : scene->effects)
+        if (auto* noise = std::get_if<scene::TorqueNoiseSpec>(&effect.parameters))
+            noise->sd_Nm = 0.0001;
+    constexpr std::uint64_t kQuickRuns = 6;
+    double covered = 0.0;
+    for (std::uint64_t seed = 1; seed <= kQuickRuns; ++seed) {
+        RunOptions options;
+        options.seed = seed;
+        const auto summary = runScene(*scene, options);
+        ASSERT_TRUE(summary) << describe(summary.error());
+        covered += summary->measures["stiffness_covered"].get<double>() / kQuickRuns;
+        EXPECT_LT(summary->measures["stiffness_error_mean"].get<double>(), 0.03) << "seed " << seed;
+    }
+    EXPECT_GE(covered, 0.9);
 }
 
 } // namespace teleta::scene_run

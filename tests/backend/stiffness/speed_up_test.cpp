@@ -94,6 +94,14 @@ TEST(SpeedUp, anEvenMotionHasNone) {
     EXPECT_FALSE(findSpeedUp(log, log.size(), kLikelyDrift_NmPerS));
 }
 
+TEST(SpeedUp, aLongMotionNeedsNone) {
+    std::vector<JointSample> log = speedUp(0.0);
+    const JointSample last = log.back();
+    for (int i = 1; i <= 8000; ++i)
+        log.push_back({last.time_s + 0.001 * i, last.angle_rad + kRate_radPerS * 0.001 * i, last.torque_Nm});
+    EXPECT_FALSE(findSpeedUp(log, log.size(), kLikelyDrift_NmPerS));
+}
+
 TEST(SpeedUp, whatTellsNoAccelerationHasNone) {
     const std::vector<JointSample> log = speedUp(0.0);
     EXPECT_FALSE(findSpeedUp({}, 0, kLikelyDrift_NmPerS));
