@@ -3,7 +3,7 @@
 
 #include "backend/core/bracelet/tactors.h"
 #include "widgets/base/controls/badge.h"
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/sized_view.h"
 
 #include <QPointF>
 #include <QRectF>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/equilibration/taxel_gains.h"
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 
 #include <QPointF>
 #include <QRectF>

@@ -5,8 +5,8 @@
 #include "backend/motors/motor_fit.h"
 #include "backend/motors/motor_recording.h"
 #include "widgets/base/controls/badge.h"
-#include "widgets/base/figure_export.h"
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/figure_export.h"
+#include "widgets/base/figure/sized_view.h"
 
 #include <QPalette>
 #include <QPointF>

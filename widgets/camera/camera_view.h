@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/picture_view.h"
+#include "widgets/base/figure/picture_view.h"
 #include "widgets/camera/camera_picture.h"
 
 #include <optional>

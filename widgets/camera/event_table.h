@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/base/controls/badge.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure/figure_export.h"
 #include "widgets/camera/event_model.h"
 
 #include <QWidget>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/base/controls/badge.h"
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 #include "widgets/charts/sample_history.h"
 
 #include <QAction>

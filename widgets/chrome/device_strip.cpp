@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/device_strip.h"
 
+#include "widgets/base/controls/status_glyph.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/numbers/tabular_text.h"
-#include "widgets/base/status_glyph.h"
 #include "widgets/base/theme.h"
 
 #include <QEvent>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "backend/cost/cost_result.h"
-#include "widgets/base/figure_export.h"
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/figure_export.h"
+#include "widgets/base/figure/sized_view.h"
 
 #include <QPalette>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/sized_view.h"
 #include "widgets/pattern/document/pattern_document.h"
 
 #include <vector>

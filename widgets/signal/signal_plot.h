@@ -4,8 +4,8 @@
 #include "backend/signal/series.h"
 #include "backend/signal/spectrum.h"
 #include "widgets/base/controls/badge.h"
-#include "widgets/base/figure_export.h"
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/figure_export.h"
+#include "widgets/base/figure/sized_view.h"
 #include "widgets/signal/unit_axes.h"
 
 #include <QPalette>

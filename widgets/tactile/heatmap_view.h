@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/touch/touch_snapshot.h"
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 #include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/tactile/heatmap_content.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/touch/touch_record.h"
-#include "widgets/base/picture_view.h"
+#include "widgets/base/figure/picture_view.h"
 #include "widgets/touch/contour_picture.h"
 
 namespace teleta::touch {

@@ -2,7 +2,7 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include "widgets/base/controls/provenance_stripe.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure/figure_export.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure/figure_export.h"
 
 #include <QClipboard>
 #include <QDir>

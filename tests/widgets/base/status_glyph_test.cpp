@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
 #include "widgets/base/controls/badge.h"
+#include "widgets/base/controls/status_glyph.h"
 #include "widgets/base/icons.h"
-#include "widgets/base/status_glyph.h"
 #include "widgets/base/theme.h"
 
 #include <QImage>

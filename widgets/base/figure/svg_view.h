@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/figure/svg_canvas.h"
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 
 #include <QString>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/kept_picture.h"
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/kept_picture.h"
+#include "widgets/base/figure/sized_view.h"
 #include "widgets/study/participant/participant_scene.h"
 
 namespace teleta::study {

@@ -4,7 +4,7 @@
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/questionnaire.h"
 #include "backend/study/session/session.h"
-#include "widgets/base/kept_picture.h"
+#include "widgets/base/figure/kept_picture.h"
 #include "widgets/study/participant/answer_keys.h"
 #include "widgets/study/participant/event_clock.h"
 #include "widgets/study/participant/participant_scene.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 #include "widgets/study/results/curve_picture.h"
 
 namespace teleta::study {

@@ -3,7 +3,7 @@
 
 #include "backend/study/analysis/proportion.h"
 #include "backend/study/protocol/trial.h"
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 
 #include <QPalette>
 #include <QRectF>

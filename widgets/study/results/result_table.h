@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure/figure_export.h"
 
 #include <QStringList>
 #include <QTableWidget>

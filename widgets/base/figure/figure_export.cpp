@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/base/figure_export.h"
+#include "widgets/base/figure/figure_export.h"
 
 #include "widgets/base/file_dialog.h"
 

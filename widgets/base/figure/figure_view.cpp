@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/base/figure_view.h"
+#include "widgets/base/figure/figure_view.h"
 
 #include <QContextMenuEvent>
 #include <QHelpEvent>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/base/status_glyph.h"
+#include "widgets/base/controls/status_glyph.h"
 
 #include "widgets/base/theme.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/base/figure_export.h"
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/figure_export.h"
+#include "widgets/base/figure/sized_view.h"
 
 #include <QPoint>
 

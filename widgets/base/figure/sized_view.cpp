@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/base/sized_view.h"
+#include "widgets/base/figure/sized_view.h"
 
 #include "widgets/base/theme.h"
 
