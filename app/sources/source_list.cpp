@@ -188,7 +188,7 @@ bool isOfKind(const core::TomlDocument& document, std::string_view kind) {
 }
 
 bool describesArray(const core::TomlDocument& document) {
-    return isOfKind(document, "taxels") || isOfKind(document, "magnetometers") || isOfKind(document, "xela");
+    return taxels::isArrayKind(document.root().text("kind", std::string()));
 }
 
 bool hasKind(const std::string& path, std::string_view kind) {

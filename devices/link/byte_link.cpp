@@ -57,7 +57,7 @@ QString systemText(int error) {
     return QString::fromLocal8Bit(std::generic_category().message(error).c_str());
 }
 
-/// The address of a host, without its port.
+/// The address of a host, without its port; one of IPv4 within IPv6 as that of IPv4.
 std::vector<std::uint8_t> hostOf(const sockaddr& address) {
     const std::uint8_t* bytes = nullptr;
     std::size_t count = 0;
@@ -66,11 +66,39 @@ std::vector<std::uint8_t> hostOf(const sockaddr& address) {
             reinterpret_cast<const std::uint8_t*>(&reinterpret_cast<const sockaddr_in&>(address).sin_addr);
         count = sizeof(in_addr);
     } else if (address.sa_family == AF_INET6) {
-        bytes =
-            reinterpret_cast<const std::uint8_t*>(&reinterpret_cast<const sockaddr_in6&>(address).sin6_addr);
-        count = sizeof(in6_addr);
+        const in6_addr& host = reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
+        bytes = reinterpret_cast<const std::uint8_t*>(&host);
+        count = sizeof host;
+        if (IN6_IS_ADDR_V4MAPPED(&host) != 0) {
+            bytes += sizeof host - sizeof(in_addr);
+            count = sizeof(in_addr);
+        }
     }
     return {bytes, bytes + count};
+}
+
+/// A socket for the datagrams of a port; not open: errno says why. Of IPv6, it takes those of IPv4 as well.
+core::FileDescriptor udpSocket(int family, const UdpAddress& address) {
+    core::FileDescriptor socket(::socket(family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    if (!socket.isOpen())
+        return socket;
+    sockaddr_in6 place6{};
+    place6.sin6_family = AF_INET6;
+    place6.sin6_port = htons(address.port);
+    place6.sin6_addr = in6addr_any;
+    sockaddr_in place4{};
+    place4.sin_family = AF_INET;
+    place4.sin_port = htons(address.port);
+    place4.sin_addr.s_addr = htonl(address.from.empty() ? INADDR_LOOPBACK : INADDR_ANY);
+    const bool is6 = family == AF_INET6;
+    const int off = 0;
+    if (is6)
+        ::setsockopt(socket.get(), IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof off);
+    const auto* place =
+        is6 ? reinterpret_cast<const sockaddr*>(&place6) : reinterpret_cast<const sockaddr*>(&place4);
+    if (::bind(socket.get(), place, is6 ? sizeof place6 : sizeof place4) != 0)
+        return core::FileDescriptor(-1);
+    return socket;
 }
 
 core::ErrorKind kindOf(int error) {
@@ -137,7 +165,8 @@ core::Expected<ByteLink> ByteLink::openSerial(const SerialAddress& address) {
     if (::tcgetattr(port.get(), &settings) != 0)
         return cannotOpen(errno);
     ::cfmakeraw(&settings);
-    settings.c_cflag &= static_cast<tcflag_t>(~(CSTOPB | CRTSCTS));
+    // Without HUPCL a board that starts anew when DTR falls runs on between two connections.
+    settings.c_cflag &= static_cast<tcflag_t>(~(CSTOPB | CRTSCTS | PARODD | HUPCL));
     settings.c_cflag |= CLOCAL | CREAD;
     if (address.stopBits == 2)
         settings.c_cflag |= CSTOPB;
@@ -217,25 +246,23 @@ core::Expected<ByteLink> ByteLink::openUdp(const UdpAddress& address) {
             LinkText::tr("cannot find %1: %2")
                 .arg(QString::fromStdString(address.from), QString::fromLocal8Bit(::gai_strerror(code))));
     const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> list(found, &::freeaddrinfo);
-    core::FileDescriptor socket(
-        ::socket(found->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, found->ai_protocol));
-    sockaddr_in6 place6{};
-    place6.sin6_family = AF_INET6;
-    place6.sin6_port = htons(address.port);
-    place6.sin6_addr = in6addr_any;
-    sockaddr_in place4{};
-    place4.sin_family = AF_INET;
-    place4.sin_port = htons(address.port);
-    place4.sin_addr.s_addr = htonl(address.from.empty() ? INADDR_LOOPBACK : INADDR_ANY);
-    const bool is6 = found->ai_family == AF_INET6;
-    const auto* place =
-        is6 ? reinterpret_cast<const sockaddr*>(&place6) : reinterpret_cast<const sockaddr*>(&place4);
-    if (!socket.isOpen() || ::bind(socket.get(), place, is6 ? sizeof place6 : sizeof place4) != 0)
+    std::vector<std::vector<std::uint8_t>> senders;
+    bool has4 = false;
+    bool has6 = false;
+    for (const addrinfo* candidate = found; candidate != nullptr; candidate = candidate->ai_next) {
+        senders.push_back(hostOf(*candidate->ai_addr));
+        has4 = has4 || senders.back().size() == sizeof(in_addr);
+        has6 = has6 || candidate->ai_family == AF_INET6;
+    }
+    core::FileDescriptor socket = udpSocket(has6 ? AF_INET6 : AF_INET, address);
+    if (!socket.isOpen() && has6 && has4 && errno != EADDRINUSE)
+        socket = udpSocket(AF_INET, address); // a computer without IPv6
+    if (!socket.isOpen())
         return core::failed(core::ErrorKind::unavailable,
                             LinkText::tr("cannot open %1: %2").arg(name, systemText(errno)));
     ByteLink link(std::move(socket), Kind::udp);
     if (!address.from.empty())
-        link.m_sender = hostOf(*found->ai_addr);
+        link.m_senders = std::move(senders);
     return link;
 }
 
@@ -245,8 +272,10 @@ core::Expected<ByteLink> ByteLink::openFile(const FileAddress& address) {
     if (!file.isOpen())
         return core::failed(kindOf(errno), LinkText::tr("cannot open %1: %2").arg(path, systemText(errno)));
     struct stat about {};
-    if (::fstat(file.get(), &about) != 0 || S_ISDIR(about.st_mode))
-        return core::failed(core::ErrorKind::refused, LinkText::tr("%1 is no file").arg(path));
+    if (::fstat(file.get(), &about) != 0)
+        return core::failed(kindOf(errno), LinkText::tr("cannot open %1: %2").arg(path, systemText(errno)));
+    if (S_ISDIR(about.st_mode))
+        return core::failed(core::ErrorKind::refused, LinkText::tr("%1 is a folder, not a file").arg(path));
     return ByteLink(std::move(file), S_ISREG(about.st_mode) ? Kind::file : Kind::pipe);
 }
 
@@ -257,8 +286,11 @@ ssize_t ByteLink::take(std::span<std::uint8_t> buffer) const {
     socklen_t size = sizeof sender;
     const ssize_t bytes = ::recvfrom(m_descriptor.get(), buffer.data(), buffer.size(), 0,
                                      reinterpret_cast<sockaddr*>(&sender), &size);
-    const bool isOther =
-        bytes >= 0 && !m_sender.empty() && hostOf(*reinterpret_cast<sockaddr*>(&sender)) != m_sender;
+    const auto isSender = [&] {
+        const auto host = hostOf(*reinterpret_cast<sockaddr*>(&sender));
+        return std::ranges::find(m_senders, host) != m_senders.end();
+    };
+    const bool isOther = bytes >= 0 && !m_senders.empty() && !isSender();
     if (!isOther && bytes != 0)
         return bytes;
     // Neither an empty datagram nor one of another host ends the link.
@@ -319,12 +351,14 @@ void ByteLink::tell(const std::string& text, const WakePipe* wake) {
 Outcome ByteLink::gone(int error) {
     m_ended = m_kind == Kind::file && error == 0;
     // A serial port that was pulled out reads as an end of file or as an input error.
-    if (error != 0 && error != EIO)
+    if (m_kind == Kind::serial && (error == 0 || error == EIO))
+        m_goneReason = LinkText::tr("The device was unplugged.").toStdString();
+    else if (error != 0)
         m_goneReason = LinkText::tr("The link failed: %1.").arg(systemText(error)).toStdString();
     else if (m_kind == Kind::tcp)
         m_goneReason = LinkText::tr("The sensor closed the connection.").toStdString();
-    else if (m_kind == Kind::serial)
-        m_goneReason = LinkText::tr("The device was unplugged.").toStdString();
+    else if (m_kind == Kind::pipe)
+        m_goneReason = LinkText::tr("The other program closed the pipe.").toStdString();
     else
         m_goneReason = LinkText::tr("The file has ended.").toStdString();
     return Outcome::gone;

@@ -20,8 +20,7 @@
 namespace teleta::link {
 
 /// An open link to a sensor: a serial port, a TCP connection, the datagrams of a UDP port, the messages of a
-/// WebSocket server, or a file. Every
-/// wait has a deadline and can be ended. Thread: one.
+/// WebSocket server, or a file. Every wait has a deadline and can be ended. Thread: one.
 class ByteLink {
 public:
     using Outcome = link::Outcome;
@@ -78,7 +77,8 @@ private:
 
     core::FileDescriptor m_descriptor{-1};
     Kind m_kind = Kind::serial;
-    std::vector<std::uint8_t> m_sender; ///< the only host whose datagrams are taken; empty: any that reach us
+    /// Addresses of the only host whose datagrams are taken; empty: any that reach us.
+    std::vector<std::vector<std::uint8_t>> m_senders;
     std::optional<WebSocket> m_web;
     bool m_ended = false;
     std::string m_goneReason;

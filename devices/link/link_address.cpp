@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/link/link_address.h"
 
+#include <QString>
+#include <QUrl>
+
 namespace teleta::link {
 
 namespace {
@@ -12,11 +15,9 @@ std::string lastPart(const std::string& path) {
 } // namespace
 
 bool isWebAddress(const std::string& url) {
-    for (const std::string scheme : {"ws://", "wss://"})
-        if (url.starts_with(scheme))
-            return url.size() > scheme.size() && url.find_first_of(" \t\r\n") == std::string::npos &&
-                   url[scheme.size()] != '/' && url[scheme.size()] != ':';
-    return false;
+    const QUrl parsed(QString::fromStdString(url), QUrl::StrictMode);
+    return parsed.isValid() && !parsed.host().isEmpty() &&
+           (parsed.scheme() == QLatin1String("ws") || parsed.scheme() == QLatin1String("wss"));
 }
 
 std::string displayName(const Address& address) {

@@ -47,13 +47,14 @@ struct WebAddress {
     bool operator==(const WebAddress&) const = default;
 };
 
-using Address = std::variant<SerialAddress, TcpAddress, UdpAddress, FileAddress, WebAddress>;
+/// In the order of their names in a file.
+using Address = std::variant<SerialAddress, TcpAddress, UdpAddress, WebAddress, FileAddress>;
 
 /// "ttyUSB0", "host:port", "udp:port", "bytes.bin" or "ws://host:port": the name under which people know the
 /// link.
 [[nodiscard]] std::string displayName(const Address& address);
 
-/// "ws://HOST..." or "wss://HOST...".
+/// A valid "ws://HOST..." or "wss://HOST...".
 [[nodiscard]] bool isWebAddress(const std::string& url);
 
 } // namespace teleta::link

@@ -56,6 +56,10 @@ struct WebSocket::Data {
                          [this](const QByteArray& bytes) { take(bytes); });
     }
 
+    ~Data() {
+        socket.disconnect(); // what it still says reaches nobody
+    }
+
     void take(QByteArray message) {
         if (messages.size() >= kMostWaiting)
             messages.pop_front();
@@ -114,10 +118,7 @@ WebSocket::WebSocket(std::unique_ptr<Data> data)
 }
 WebSocket::WebSocket(WebSocket&& other) noexcept = default;
 WebSocket& WebSocket::operator=(WebSocket&& other) noexcept = default;
-WebSocket::~WebSocket() {
-    if (m_data)
-        m_data->socket.disconnect(); // what it still says reaches nobody
-}
+WebSocket::~WebSocket() = default;
 
 core::Expected<WebSocket> WebSocket::open(const std::string& url, std::int64_t deadline_ns,
                                           const WakePipe* wake) {

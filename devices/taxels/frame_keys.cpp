@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/taxels/frame_keys.h"
 
+#include "devices/link/link_address.h"
 #include "devices/taxels/taxels_text.h"
 
 #include <QString>
@@ -9,6 +10,7 @@
 #include <array>
 #include <charconv>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace teleta::taxels {
@@ -21,6 +23,7 @@ using core::NumberRange;
 using core::WholeRange;
 
 constexpr long long kMostBytes = static_cast<long long>(kLongestFrame);
+constexpr std::size_t kMostMarkBytes = 64; ///< that a key may give
 constexpr WholeRange kPlaces{-kMostBytes, kMostBytes};
 
 constexpr std::array kTypes{
@@ -68,18 +71,6 @@ void describeTimeUnit(Keys& keys, std::string_view key, double& unit_s) {
         Need::optional);
 }
 
-/// Text of hexadecimal bytes.
-void describeBytes(Keys& keys, std::string_view key, std::vector<std::uint8_t>& bytes,
-                   std::string_view about) {
-    std::string text;
-    keys.text(key, text, about, Need::optional);
-    if (auto found = bytesOf(text))
-        bytes = std::move(*found);
-    else
-        refuse(keys, key, TaxelsText::tr("\"%1\" are no hexadecimal bytes").arg(QString::fromStdString(text)),
-               TaxelsText::tr("up to %1 bytes, as \"AA 55\"").arg(kMostMarkBytes));
-}
-
 /// What is known of the length while the fields are read.
 struct Length {
     std::size_t bytes = 0; ///< 0: as the length field says
@@ -107,12 +98,11 @@ struct Length {
 };
 
 void describePlace(Keys& keys, NumberField& field) {
-    keys.whole("at", field.at, kPlaces,
-               "Its first byte, from the frame's first as 0; a negative number counts from the frame's end");
+    keys.whole("at", field.at, kPlaces, "Offset of its first byte from 0; negative: from the frame's end");
 }
 
 void describeLengthField(Keys& keys, LengthField& length) {
-    keys.whole("at", length.field.at, {0, 255}, "Its first byte, from the frame's first as 0");
+    keys.whole("at", length.field.at, {0, 255}, "Offset of its first byte from 0");
     describeType(keys, length.field.type, isUnsigned);
     describeOrder(keys, length.field.order);
     keys.choice("counts", length.counts,
@@ -128,11 +118,13 @@ void describeChecksum(Keys& keys, ChecksumField& checksum, const Length& length,
                 "How it is computed; `crc16-wts` is that of Weiss arrays", Need::required);
     const std::size_t size = sizeOf(checksum.type);
     std::optional<long long> first;
-    keys.whole("at", first, kPlaces, "Its first byte; otherwise it is the last before the closing bytes");
+    keys.whole("at", first, kPlaces,
+               "Offset of its first byte from 0; negative: from the frame's end; otherwise right before the "
+               "closing bytes");
     checksum.at = first.value_or(-static_cast<long long>(size + endBytes));
     keys.whole("from", checksum.from, kPlaces, "First byte that it covers", Need::optional);
     std::optional<long long> behind;
-    keys.whole("to", behind, kPlaces, "First byte behind those; otherwise the checksum itself");
+    keys.whole("to", behind, kPlaces, "First byte after the covered ones; otherwise the checksum itself");
     checksum.to = behind.value_or(checksum.at);
     describeOrder(keys, checksum.order);
     std::optional<std::uint32_t> init;
@@ -157,6 +149,14 @@ void describeChecksum(Keys& keys, ChecksumField& checksum, const Length& length,
                TaxelsText::tr("bytes before or behind it"));
 }
 
+void describeScaling(Keys& keys, Scaling& scaling) {
+    keys.number("scale", scaling.scale, NumberRange::any(), "Scale factor", Need::optional);
+    keys.number("offset", scaling.offset, NumberRange::any(), "Added after scaling", Need::optional);
+    if (scaling.scale == 0.0)
+        refuse(keys, "scale", TaxelsText::tr("with a factor of 0 every value is the same"),
+               TaxelsText::tr("another number"));
+}
+
 void describeValues(Keys& keys, BinaryFormat& format, const Length& length, std::size_t perGroup) {
     ValueField& values = format.values;
     values.perGroup = perGroup;
@@ -167,11 +167,7 @@ void describeValues(Keys& keys, BinaryFormat& format, const Length& length, std:
     keys.whole("stride", values.stride, {0, kMostBytes},
                "Bytes from a taxel to the next; 0: they touch. The components of a taxel always touch",
                Need::optional);
-    keys.number("scale", format.scaling.scale, NumberRange::any(), "Factor on each number", Need::optional);
-    keys.number("offset", format.scaling.offset, NumberRange::any(), "Added after that", Need::optional);
-    if (format.scaling.scale == 0.0)
-        refuse(keys, "scale", TaxelsText::tr("with a factor of 0 every value is the same"),
-               TaxelsText::tr("another number"));
+    describeScaling(keys, format.scaling);
     if (values.count % perGroup != 0)
         refuse(keys, "count",
                TaxelsText::tr("%1 numbers are not %2 for each taxel").arg(values.count).arg(perGroup),
@@ -223,14 +219,6 @@ void describeBinary(Keys& keys, BinaryFormat& format, std::size_t perGroup) {
                TaxelsText::tr("sync, end or a checksum"));
 }
 
-void describeScaling(Keys& keys, Scaling& scaling) {
-    keys.number("scale", scaling.scale, NumberRange::any(), "Factor on each number", Need::optional);
-    keys.number("offset", scaling.offset, NumberRange::any(), "Added after that", Need::optional);
-    if (scaling.scale == 0.0)
-        refuse(keys, "scale", TaxelsText::tr("with a factor of 0 every value is the same"),
-               TaxelsText::tr("another number"));
-}
-
 /// "2..85" or "3"; false for anything else.
 bool readColumns(const std::string& text, CsvFormat& format) {
     const std::size_t dots = text.find("..");
@@ -259,7 +247,7 @@ void describeCsv(Keys& keys, CsvFormat& format) {
         format.separator = separator.front();
     format.skip = 1;
     keys.whole("skip", format.skip, {0, 1000},
-               "Lines at the begin that are no frames; the first one after connecting may be cut",
+               "Lines at the start that are not frames; the first after connecting may be cut",
                Need::optional);
     std::string columns;
     keys.text("columns", columns, "Columns of the values, counted from 1, as `2..85`");
@@ -307,8 +295,7 @@ void describeJson(Keys& keys, JsonFormat& format, std::size_t perGroup) {
     describeScaling(keys, format.scaling);
 }
 
-} // namespace
-
+/// "AA 55" or "aa55" as bytes; nothing for anything else, or more than kMostMarkBytes.
 std::optional<std::vector<std::uint8_t>> bytesOf(const std::string& hex) {
     std::string digits;
     std::ranges::copy_if(hex, std::back_inserter(digits), [](char c) { return c != ' '; });
@@ -323,6 +310,33 @@ std::optional<std::vector<std::uint8_t>> bytesOf(const std::string& hex) {
         bytes.push_back(byte);
     }
     return bytes;
+}
+
+} // namespace
+
+void describeBytes(Keys& keys, std::string_view key, std::vector<std::uint8_t>& bytes,
+                   std::string_view about) {
+    std::string text;
+    keys.text(key, text, about, Need::optional);
+    if (auto found = bytesOf(text))
+        bytes = std::move(*found);
+    else
+        refuse(keys, key,
+               TaxelsText::tr("\"%1\" is not a list of hexadecimal bytes").arg(QString::fromStdString(text)),
+               TaxelsText::tr("up to %1 bytes, as \"AA 55\"").arg(kMostMarkBytes));
+}
+
+void describeWebAddress(Keys& keys, std::string& url, std::string_view about, Need need) {
+    keys.text("url", url, about, need);
+    if (!link::isWebAddress(url))
+        refuse(keys, "url",
+               TaxelsText::tr("\"%1\" is no address of a WebSocket server").arg(QString::fromStdString(url)),
+               TaxelsText::tr("ws://HOST:PORT or wss://HOST:PORT"));
+}
+
+void refuseWithoutThreshold(Keys& keys) {
+    refuse(keys, "threshold", TaxelsText::tr("without a threshold it is not known which taxels are touched"),
+           TaxelsText::tr("threshold = a number in the unit of the values"));
 }
 
 void describeFrame(Keys& keys, FrameFormat& format, std::size_t perGroup) {

@@ -117,7 +117,7 @@ void MagnetometersFile::describeKeys(core::Keys& keys) {
                 "Frames a second that the board sends; 0: not known", Need::optional);
     taxels.restFrames = kRestFrames;
     keys.whole("rest_frames", taxels.restFrames, {1, 10'000},
-               "Frames at the opening whose median is taken as unloaded", Need::optional);
+               "Frames read at opening; their median becomes the tare", Need::optional);
 }
 
 } // namespace teleta::taxels

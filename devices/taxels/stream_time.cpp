@@ -61,6 +61,7 @@ StreamTime::Step StreamTime::advance(const DecodedFrame& frame, double hostTime_
         m_time_s = timeOf(*frame.time_s, hostTime_s, step);
     } else {
         m_time_s = std::max(m_time_s, hostTime_s);
+        m_lastTime_s.reset(); // what passed since then is in the host's time already
     }
     if (step.restarted)
         step.lost = 0;

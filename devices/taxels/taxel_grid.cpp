@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace teleta::taxels {
 
@@ -23,15 +25,13 @@ constexpr double kMostPitch_mm = 1000.0;
 constexpr double kOffGrid = 0.01; ///< of the pitch
 constexpr int kMostSide = core::ArrayLayout::kMaximumSide;
 
-/// Distinct coordinates closer than kOffGrid times this are the same.
-double smallestStep(std::vector<double> coordinates) {
+/// Adds the gaps between neighbouring coordinates that are no smaller than the pitch of the widest grid.
+void appendGaps(std::vector<double> coordinates, std::vector<double>& gaps) {
     std::ranges::sort(coordinates);
-    double extent = coordinates.back() - coordinates.front();
-    double step = std::numeric_limits<double>::infinity();
+    const double extent = coordinates.back() - coordinates.front();
     for (std::size_t i = 1; i < coordinates.size(); ++i)
-        if (const double gap = coordinates[i] - coordinates[i - 1]; gap > extent / (4 * kMostSide))
-            step = std::min(step, gap);
-    return step;
+        if (const double gap = coordinates[i] - coordinates[i - 1]; gap > 0.0 && gap >= extent / kMostSide)
+            gaps.push_back(gap);
 }
 
 /// The number of a column or row at this coordinate; below 0: it is on none.
@@ -40,6 +40,24 @@ long long lineOf(double coordinate, double first, double pitch) {
     const double nearest = std::round(place);
     return std::abs(place - nearest) <= kOffGrid && nearest < kMostSide ? static_cast<long long>(nearest)
                                                                         : -1;
+}
+
+using Lines = std::pair<long long, long long>; ///< row and column
+
+/// Of each place on a grid of this pitch; empty: not all of them are on it, or two are the same.
+std::vector<Lines> linesOf(const std::vector<double>& x, const std::vector<double>& y, double pitch) {
+    const double firstX = *std::ranges::min_element(x);
+    const double firstY = *std::ranges::min_element(y);
+    std::vector<Lines> found;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Lines lines{lineOf(y[i], firstY, pitch), lineOf(x[i], firstX, pitch)};
+        if (lines.first < 0 || lines.second < 0)
+            return {};
+        found.push_back(lines);
+    }
+    if (std::set(found.begin(), found.end()).size() != found.size())
+        return {};
+    return found;
 }
 
 } // namespace
@@ -62,29 +80,30 @@ bool TaxelGrid::standAt(const std::vector<std::vector<double>>& positions_mm) {
         x.push_back(position[0]);
         y.push_back(position[1]);
     }
-    if (x.empty())
+    const auto isFinite = [](double coordinate) { return std::isfinite(coordinate); };
+    if (x.empty() || !std::ranges::all_of(x, isFinite) || !std::ranges::all_of(y, isFinite))
         return false;
-    double pitch = std::min(smallestStep(x), smallestStep(y));
+    std::vector<double> pitches;
+    appendGaps(x, pitches);
+    appendGaps(y, pitches);
     if (x.size() == 1)
-        pitch = 1.0; // of a single taxel nothing depends on it
-    if (!std::isfinite(pitch))
+        pitches = {1.0}; // of a single taxel nothing depends on it
+    // The largest come first: a small gap may only be what taxels of one column or row are off it.
+    std::ranges::sort(pitches, std::greater<>());
+    std::vector<Lines> found;
+    double pitch = 0.0;
+    for (auto next = pitches.begin(); found.empty() && next != pitches.end(); ++next) {
+        pitch = *next;
+        found = linesOf(x, y, pitch);
+    }
+    if (found.empty())
         return false;
-    const double firstX = *std::ranges::min_element(x);
-    const double firstY = *std::ranges::min_element(y);
-    std::vector<std::pair<long long, long long>> found;
     long long rows = 0;
     long long columns = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const long long column = lineOf(x[i], firstX, pitch);
-        const long long row = lineOf(y[i], firstY, pitch);
-        if (column < 0 || row < 0)
-            return false;
-        found.emplace_back(row, column);
+    for (const auto& [row, column] : found) {
         rows = std::max(rows, row + 1);
         columns = std::max(columns, column + 1);
     }
-    if (std::set(found.begin(), found.end()).size() != found.size())
-        return false;
     m_layout = {static_cast<int>(rows), static_cast<int>(columns), pitch * 1e-3};
     m_places.clear();
     for (const auto& [row, column] : found)
@@ -161,20 +180,19 @@ void TaxelGrid::describeGrid(core::Keys& keys) {
     m_layout.pitch_m = pitchX_mm / 1e3;
 
     constexpr long long kMostPlaces = static_cast<long long>(kMostSide) * kMostSide;
-    const NumberRange place = NumberRange::between(0.0, static_cast<double>(kMostPlaces - 1));
     Order order = Order::row;
     keys.choice("order", order, {{"row", "Row by row"}, {"column", "Column by column"}},
                 "In which order the taxels come", Need::optional);
     std::vector<double> mask;
-    core::describeList(keys, "mask", mask, place, {0, kMostPlaces},
+    core::describeList(keys, "mask", mask, NumberRange::notNegative(), {0, kMostPlaces},
                        "Places without a taxel; they count row by row from 0", Need::optional);
     std::vector<double> places;
-    core::describeList(keys, "places", places, place, {1, kMostPlaces},
+    core::describeList(keys, "places", places, NumberRange::notNegative(), {1, kMostPlaces},
                        "Place of each taxel in the order in which they come, instead of `order` and `mask`",
                        Need::optional);
     const std::set<double> different(places.begin(), places.end());
     const auto isPlace = [this](double value) {
-        return value == std::floor(value) && value < static_cast<double>(m_layout.taxels());
+        return value >= 0.0 && value == std::floor(value) && value < static_cast<double>(m_layout.taxels());
     };
     if (!std::ranges::all_of(mask, isPlace) || mask.size() >= m_layout.taxels())
         refuse(keys, "mask", TaxelsText::tr("these are no places without a taxel"),

@@ -3,6 +3,7 @@
 
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
+#include "devices/taxels/taxels_link.h"
 #include "devices/taxels/taxels_text.h"
 
 #include <QString>
@@ -18,7 +19,6 @@ using core::DeviceState;
 using link::ByteLink;
 using Rest = FrameDecoder::Rest;
 
-constexpr std::int64_t kMs_ns = 1'000'000;
 constexpr std::int64_t kNoRoom_ns = 2 * kMs_ns; ///< until a full queue is looked at again
 constexpr double kPeriodsUntilLost = 5.0;
 constexpr std::size_t kQueueBlocks = 1024; ///< of datagrams, each is one block
@@ -40,13 +40,6 @@ std::int64_t lostAfter_ns(const TaxelsTimes& times, double rate_Hz) {
     if (!(rate_Hz > 0.0))
         return configured_ns;
     return std::max(configured_ns, static_cast<std::int64_t>(kPeriodsUntilLost * 1e9 / rate_Hz));
-}
-
-core::Expected<ByteLink> openLink(const TaxelsFile& file, const link::WakePipe* wake) {
-    TELETA_TRY(auto link,
-               ByteLink::open(file.address, core::steadyNow_ns() + file.times.connect_ms * kMs_ns, wake));
-    link.tell(file.greeting, wake);
-    return link;
 }
 
 } // namespace
@@ -91,8 +84,7 @@ void TaxelsDevice::open(core::Wakeup& consumer) {
 }
 
 void TaxelsDevice::adopt(ByteLink link) {
-    m_decoder = makeDecoder(m_file.format, link.isDatagrams() ? FrameDecoder::Framing::datagrams
-                                                              : FrameDecoder::Framing::stream);
+    m_decoder = makeDecoder(m_file.format, link);
     m_link = std::make_unique<ByteLink>(std::move(link));
 }
 
@@ -149,7 +141,7 @@ std::string TaxelsDevice::stream(const std::stop_token& stop) {
         case ByteLink::Outcome::woken:
             break;
         case ByteLink::Outcome::gone:
-            deliverFrames(Rest::willNotCome, stop);
+            deliverFrames(restOf(*m_link), stop);
             m_ended = m_link->ended();
             return m_link->goneReason();
         }
@@ -203,13 +195,15 @@ void TaxelsDevice::deliverPaced(core::SampleBlock& block, const std::stop_token&
 }
 
 void TaxelsDevice::appendFrame(const DecodedFrame& frame, core::SampleBlock& block) {
-    const StreamTime::Step step = m_time.advance(frame, static_cast<double>(m_read_ns - m_begin_ns) * 1e-9);
-    m_lastFrame_ns = m_read_ns;
-    m_retry.reset();
+    // A file is read in large pieces, so that its frames differ only in when they are due.
+    const std::int64_t time_ns = m_link->isFile() && m_file.rate_Hz > 0.0 ? m_due_ns : m_read_ns;
+    const StreamTime::Step step = m_time.advance(frame, static_cast<double>(time_ns - m_begin_ns) * 1e-9);
     if (step.repeated) {
         ++m_counters.repeatedFrames;
-        return;
+        return; // a frozen sensor becomes stale and is lost
     }
+    m_lastFrame_ns = m_read_ns;
+    m_retry.reset();
     if (step.lost > 0 || step.restarted)
         deliver(block);
     if (step.lost > 0)

@@ -11,7 +11,11 @@
 
 #include <QString>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace teleta::taxels {
 
@@ -23,6 +27,7 @@ using core::NumberRange;
 
 constexpr double kThreshold_N = 0.2;
 constexpr int kMostRestFrames = 10'000;
+constexpr std::array<std::string_view, 3> kArrayKinds{"taxels", "magnetometers", "xela"};
 
 void describeSerial(Keys& keys, link::SerialAddress& serial) {
     keys.text("path", serial.path, "Path of the serial port, or of the file");
@@ -43,12 +48,7 @@ void describeUdp(Keys& keys, link::UdpAddress& udp) {
 }
 
 void describeWeb(Keys& keys, link::WebAddress& web) {
-    keys.text("url", web.url, "Its address, as `ws://HOST:PORT`");
-    if (!link::isWebAddress(web.url))
-        refuse(
-            keys, "url",
-            TaxelsText::tr("\"%1\" is no address of a WebSocket server").arg(QString::fromStdString(web.url)),
-            TaxelsText::tr("ws://HOST:PORT or wss://HOST:PORT"));
+    describeWebAddress(keys, web.url, "Its address, as `ws://HOST:PORT`", Need::required);
 }
 
 void describeFile(Keys& keys, link::FileAddress& file) {
@@ -59,32 +59,20 @@ void describeFile(Keys& keys, link::FileAddress& file) {
 void describeWords(Keys& keys, const std::string& key, std::string& words, std::string_view about) {
     const std::string bytesKey = key + "_bytes";
     keys.text(key, words, about, Need::optional);
-    std::string hex;
-    keys.text(bytesKey, hex, "The same as hexadecimal bytes, as `AA 55`", Need::optional);
-    const auto bytes = bytesOf(hex);
-    if (!bytes)
-        refuse(keys, bytesKey,
-               TaxelsText::tr("\"%1\" are no hexadecimal bytes").arg(QString::fromStdString(hex)),
-               TaxelsText::tr("up to %1 bytes, as \"AA 55\"").arg(kMostMarkBytes));
-    else if (!bytes->empty() && !words.empty())
+    std::vector<std::uint8_t> bytes;
+    describeBytes(keys, bytesKey, bytes, "The same as hexadecimal bytes, as `AA 55`");
+    if (!bytes.empty() && !words.empty())
         refuse(keys, bytesKey, TaxelsText::tr("it is given as text already"),
                TaxelsText::tr("either %1 or %2")
                    .arg(QString::fromStdString(key), QString::fromStdString(bytesKey)));
-    else if (!bytes->empty())
-        words.assign(bytes->begin(), bytes->end());
-}
-
-/// Among the types of a link.
-std::size_t indexOf(const link::Address& address) {
-    return std::holds_alternative<link::FileAddress>(address)  ? 4
-           : std::holds_alternative<link::WebAddress>(address) ? 3
-                                                               : address.index();
+    else if (!bytes.empty())
+        words.assign(bytes.begin(), bytes.end());
 }
 
 void describeLink(Keys& keys, TaxelsFile& file) {
     link::Address& address = file.address;
     keys.choose(
-        "type", indexOf(address),
+        "type", address.index(),
         {{"serial", "A serial port"},
          {"tcp", "A connection to the sensor"},
          {"udp", "Datagrams to this computer, each one frame"},
@@ -114,10 +102,14 @@ core::Expected<TaxelsFile> readAs(const core::TomlDocument& document) {
 
 core::Expected<TaxelsFile> readKind(const core::TomlDocument& document) {
     core::TomlTable root = document.root();
-    const std::string kind = root.has("kind") ? root.text("kind") : std::string();
-    if (kind == "magnetometers")
+    // Without a kind, reading as the first one says what is missing.
+    const std::size_t kind =
+        root.has("kind") ? root.choice("kind", {kArrayKinds.begin(), kArrayKinds.end()}) : 0;
+    if (document.firstError())
+        return core::Unexpected(*document.firstError());
+    if (kind == 1)
         return readAs<MagnetometersFile>(document);
-    if (kind == "xela")
+    if (kind == 2)
         return readAs<XelaFile>(document);
     return core::readKeys<TaxelsFile>(document);
 }
@@ -144,13 +136,12 @@ void TaxelsFile::describeKeys(core::Keys& keys) {
     keys.number("threshold", threshold, NumberRange::positive(),
                 "Load above which a taxel counts as touched; otherwise 0.2 N, if the unit is N");
     keys.whole("rest_frames", restFrames, {0, kMostRestFrames},
-               "Frames at the opening whose median is taken as unloaded; 0: the array reads 0 then",
-               Need::optional);
+               "Frames read at opening; their median becomes the tare; 0: no tare", Need::optional);
     keys.table("link", "How the sensor is reached", Need::required,
                [this](Keys& table) { describeLink(table, *this); });
     keys.table("layout", "Where the taxels are", Need::required,
                [this](Keys& table) { grid.describeKeys(table); });
-    keys.table("frame", "How the bytes are frames", Need::required, [this](Keys& table) {
+    keys.table("frame", "How the bytes form frames", Need::required, [this](Keys& table) {
         describeFrame(table, format, static_cast<std::size_t>(grid.components()));
         if (const std::size_t count = valuesOf(format); count != grid.values())
             refuse(table, "encoding",
@@ -161,13 +152,15 @@ void TaxelsFile::describeKeys(core::Keys& keys) {
                    TaxelsText::tr("%1 numbers").arg(grid.values()));
     });
     if (!threshold && grid.unit() != "N")
-        refuse(keys, "threshold",
-               TaxelsText::tr("without a threshold it is not known which taxels are touched"),
-               TaxelsText::tr("threshold = \"a load in the unit of the values\""));
+        refuseWithoutThreshold(keys);
 }
 
 double TaxelsFile::touchedFrom() const {
     return threshold.value_or(kThreshold_N);
+}
+
+bool isArrayKind(std::string_view kind) {
+    return std::ranges::find(kArrayKinds, kind) != kArrayKinds.end();
 }
 
 core::Expected<TaxelsFile> readTaxels(const std::string& path) {

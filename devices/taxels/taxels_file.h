@@ -44,6 +44,9 @@ struct TaxelsFile {
     [[nodiscard]] double touchedFrom() const;
 };
 
+/// Whether a file of this kind describes an array: "taxels", "magnetometers" or "xela".
+[[nodiscard]] bool isArrayKind(std::string_view kind);
+
 /// Reads the description of an array, of kind "taxels", "magnetometers" or "xela"; paths of ports and files
 /// in it start at its folder. path: a TOML file, or ":/devices/NAME.toml" for one that comes with the
 /// program. Error: notFound, ioFailed, or badInput with line and column. Thread: any.

@@ -4,6 +4,7 @@
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/link/byte_link.h"
+#include "devices/taxels/taxels_link.h"
 #include "devices/taxels/taxels_text.h"
 
 #include <QString>
@@ -22,10 +23,7 @@ using Outcome = ByteLink::Outcome;
 using Rest = FrameDecoder::Rest;
 
 constexpr double kLook_s = 0.05;
-constexpr double kConnect_s = 2.0;
-constexpr double kRest_s = 3.0;
-constexpr std::int64_t kSilence_ns =
-    200'000'000; ///< after this, the rest of a frame is not expected any more
+constexpr double kRest_s = 3.0; ///< for the next frame, besides its period
 
 std::int64_t in(double time_s) {
     return core::steadyNow_ns() + static_cast<std::int64_t>(time_s * 1e9);
@@ -37,10 +35,10 @@ public:
     Listener(const TaxelsFile& file, ByteLink link)
         : m_file(file)
         , m_link(std::move(link))
-        , m_decoder(makeDecoder(file.format, m_link.isDatagrams() ? FrameDecoder::Framing::datagrams
-                                                                  : FrameDecoder::Framing::stream)) {
-        m_link.tell(m_file.greeting, nullptr);
-    }
+        , m_decoder(makeDecoder(file.format, m_link)) {}
+    Listener(const Listener&) = delete;
+    Listener& operator=(const Listener&) = delete;
+    ~Listener() { m_link.tell(m_file.goodbye, nullptr); }
 
     /// Waits a moment for bytes; false: no more will come.
     bool listen(std::int64_t deadline_ns) {
@@ -50,12 +48,11 @@ public:
         m_decoder->feed(m_read);
         if (outcome == Outcome::done)
             m_read_ns = core::steadyNow_ns();
-        const bool isSilent = core::steadyNow_ns() >= m_read_ns + kSilence_ns;
-        m_rest = outcome == Outcome::gone || isSilent ? Rest::willNotCome : Rest::mayCome;
+        const bool isSilent = core::steadyNow_ns() >= m_read_ns + m_file.times.lineSilence_ms * kMs_ns;
+        m_rest = outcome == Outcome::gone ? restOf(m_link) : isSilent ? Rest::willNotCome : Rest::mayCome;
         return outcome != Outcome::gone;
     }
     bool next(DecodedFrame& frame) { return m_decoder->next(frame, m_rest); }
-    void leave() { m_link.tell(m_file.goodbye, nullptr); }
 
     [[nodiscard]] std::span<const std::uint8_t> read() const { return m_read; }
     [[nodiscard]] const FrameDecoder& decoder() const { return *m_decoder; }
@@ -71,15 +68,11 @@ private:
     std::int64_t m_read_ns = core::steadyNow_ns();
 };
 
-core::Expected<ByteLink> openLink(const TaxelsFile& file) {
-    return ByteLink::open(file.address, in(kConnect_s), nullptr);
-}
-
 } // namespace
 
 core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimits& limits,
                                         const std::function<bool()>& cancelled) {
-    TELETA_TRY(auto link, openLink(file));
+    TELETA_TRY(auto link, openLink(file, nullptr));
     Listener sensor(file, std::move(link));
     TaxelsProbe probe;
     std::int64_t first_ns = 0;
@@ -107,7 +100,6 @@ core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimit
         }
         goesOn = goesOn && !(sensor.isFile() && probe.bytes.size() >= limits.bytes);
     }
-    sensor.leave();
     probe.counters = sensor.decoder().counters();
     if (!sensor.isFile() && probe.frames.size() > 1 && last_ns > first_ns)
         probe.rate_Hz =
@@ -117,15 +109,15 @@ core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimit
 
 core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
                                                const std::function<bool()>& cancelled) {
-    TELETA_TRY(auto link, openLink(file));
+    TELETA_TRY(auto link, openLink(file, nullptr));
     Listener sensor(file, std::move(link));
     const std::size_t taxels = file.grid.layout().taxels();
     const auto wanted = static_cast<std::size_t>(file.restFrames);
     std::vector<std::vector<float>> readings(taxels);
     std::vector<float> loads(taxels);
     std::size_t frames = 0;
-    const double whole_s = kRest_s + (file.rate_Hz > 0.0 ? file.restFrames / file.rate_Hz : 0.0);
-    const std::int64_t end_ns = in(whole_s);
+    const double wait_s = kRest_s + (file.rate_Hz > 0.0 ? 1.0 / file.rate_Hz : 0.0);
+    std::int64_t end_ns = in(wait_s);
     DecodedFrame frame;
     for (bool goesOn = true; goesOn && frames < wanted && core::steadyNow_ns() < end_ns;) {
         if (cancelled && cancelled())
@@ -136,14 +128,16 @@ core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
             for (std::size_t i = 0; i < taxels; ++i)
                 readings[i].push_back(loads[i]);
             ++frames;
+            end_ns = in(wait_s);
         }
     }
-    sensor.leave();
     if (frames < wanted)
         return core::failed(
             core::ErrorKind::unavailable,
-            TaxelsText::tr("only %1 of %2 frames came for the rest of the array").arg(frames).arg(wanted),
-            TaxelsText::tr("a sensor that sends, as the file describes it"));
+            TaxelsText::tr("only %1 of %2 frames arrived while the tare was measured")
+                .arg(frames)
+                .arg(wanted),
+            TaxelsText::tr("frames as the file describes; check with teleta devices --probe FILE"));
     for (std::size_t i = 0; i < taxels; ++i) {
         const auto middle = readings[i].begin() + static_cast<std::ptrdiff_t>(frames / 2);
         std::ranges::nth_element(readings[i], middle);

@@ -35,13 +35,15 @@ struct ProbeLimits {
     double measure_s = 1.0;   ///< from the first frame on
 };
 
-/// Listens to the sensor of a file. It ends when so many bytes came and the rate is known, or when nothing
-/// more comes. cancelled: asked between reads. Error: as link::ByteLink::open.
+/// Listens to the sensor of a file. It ends limits.measure_s after the first frame, when none came within
+/// limits.wait_s, or when the link is gone; at a file also when so many bytes came. cancelled: asked between
+/// reads. Error: as link::ByteLink::open.
 [[nodiscard]] core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimits& limits,
                                                       const std::function<bool()>& cancelled = {});
 
 /// What the unloaded array reads: the median of each taxel over the first file.restFrames frames; NaN where
-/// no taxel is. Error: as link::ByteLink::open; unavailable, so many frames did not come in time; cancelled.
+/// no taxel is. Each of them is waited for, also where the rate is not known. Error: as link::ByteLink::open;
+/// unavailable, one of them did not come in time; cancelled.
 [[nodiscard]] core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
                                                              const std::function<bool()>& cancelled = {});
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/taxels/xela_file.h"
 
-#include "devices/taxels/taxels_text.h"
-
-#include <QString>
+#include "devices/taxels/frame_keys.h"
 
 #include <optional>
 #include <string>
@@ -25,12 +23,7 @@ void XelaFile::describeKeys(core::Keys& keys) {
     keys.word("kind", "xela", "A XELA uSkin behind its xela_server");
     keys.text("name", taxels.name, "Name on the screen");
     link::WebAddress server{"ws://127.0.0.1:5000"};
-    keys.text("url", server.url, "Address of its server", Need::optional);
-    if (!link::isWebAddress(server.url))
-        refuse(keys, "url",
-               TaxelsText::tr("\"%1\" is no address of a WebSocket server")
-                   .arg(QString::fromStdString(server.url)),
-               TaxelsText::tr("ws://HOST:PORT or wss://HOST:PORT"));
+    describeWebAddress(keys, server.url, "Address of its server", Need::optional);
     taxels.address = server;
     int sensor = 1;
     keys.whole("sensor", sensor, {0, 1000}, "Number of the sensor, as the server names it", Need::optional);
@@ -38,20 +31,18 @@ void XelaFile::describeKeys(core::Keys& keys) {
     keys.choice("values", values,
                 {{"calibrated", "Forces in N, which only some models have, and only when switched on"},
                  {"raw", "Raw numbers, which are not 0 without load"}},
-                "What is taken");
+                "Which values are read");
     keys.number("rate_Hz", taxels.rate_Hz, NumberRange::between(0.0, 1e5), "Messages a second; 0: not known",
                 Need::optional);
     keys.number("threshold", taxels.threshold, NumberRange::positive(),
                 "Load, or change of the raw number, above which a taxel counts as touched; otherwise 0.2 N");
     if (values == Values::raw && !taxels.threshold)
-        refuse(keys, "threshold",
-               TaxelsText::tr("without a threshold it is not known which taxels are touched"),
-               TaxelsText::tr("threshold = \"a load in the unit of the values\""));
+        refuseWithoutThreshold(keys);
     std::optional<int> restFrames;
     keys.whole(
         "rest_frames", restFrames, {0, 10'000},
-        "Frames at the opening whose median is taken as unloaded; otherwise 50 of raw numbers, and none "
-        "of forces");
+        "Frames read at opening; their median becomes the tare; otherwise 50 of raw numbers, and none of "
+        "forces");
     taxels.restFrames = restFrames.value_or(values == Values::raw ? kRawRestFrames : 0);
     taxels.grid.setComponents(TaxelGrid::kMostComponents);
     taxels.grid.setUnit(values == Values::calibrated ? "N" : "counts");

@@ -13,6 +13,13 @@ constexpr std::size_t kEvidence = 3;
 
 constexpr std::size_t kOtherFrames = 256;
 
+/// Bytes of the checksum and what stands behind it, or else of the end.
+std::size_t closingOf(const BinaryFormat& format) {
+    const ChecksumField& checksum = format.checksum;
+    const bool isAtEnd = checksum.type != ChecksumType::none && checksum.at < 0;
+    return isAtEnd ? static_cast<std::size_t>(-checksum.at) : format.end.size();
+}
+
 /// The shortest frame that holds a field.
 std::size_t lengthFor(long long at, std::size_t bytes) {
     return at < 0 ? static_cast<std::size_t>(-at) : static_cast<std::size_t>(at) + bytes;
@@ -46,7 +53,7 @@ std::size_t lengthOf(const LengthField& field, std::uint32_t number, std::size_t
 
 BinaryDecoder::BinaryDecoder(BinaryFormat format, Framing framing)
     : m_format(std::move(format))
-    , m_closing(m_format.end.size() + (m_format.checksum.at < 0 ? sizeOf(m_format.checksum.type) : 0))
+    , m_closing(closingOf(m_format))
     , m_longest(longestOf(m_format))
     , m_datagrams(framing == Framing::datagrams)
     , m_needsTwo(!m_datagrams && m_format.evidence() < kEvidence) {

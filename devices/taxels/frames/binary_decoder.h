@@ -35,7 +35,7 @@ private:
     void refuse();
 
     BinaryFormat m_format;
-    std::size_t m_closing; ///< bytes of the checksum and the end
+    std::size_t m_closing; ///< bytes of the checksum and all behind it, or of the end
     std::size_t m_longest; ///< a longer frame is taken for noise
     bool m_datagrams;
     bool m_needsTwo;

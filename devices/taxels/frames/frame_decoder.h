@@ -41,7 +41,11 @@ public:
     };
 
     /// Whether the bytes of an incomplete frame may still follow.
-    enum class Rest { mayCome, willNotCome };
+    enum class Rest {
+        mayCome,
+        willNotCome, ///< a line that is silent, or a link that was cut
+        ended,       ///< of a file that was read to its end
+    };
     enum class Framing {
         stream,
         datagrams, ///< what is fed at once is one frame or none
@@ -54,7 +58,7 @@ public:
 
     /// Appends bytes as they were read.
     void feed(std::span<const std::uint8_t> bytes);
-    /// The next frame; false when there is none (yet). With willNotCome nothing stays pending.
+    /// The next frame; false when there is none (yet). Nothing stays pending unless more may come.
     [[nodiscard]] virtual bool next(DecodedFrame& frame, Rest rest = Rest::mayCome) = 0;
 
     [[nodiscard]] const Counters& counters() const { return m_counters; }

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
 
 bool readField(std::string_view text, double& number) {
     text = trimmed(text);
-    if (text.starts_with('+'))
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
@@ -65,6 +65,7 @@ bool LineDecoder::next(DecodedFrame& frame, Rest rest) {
     while (pendingBytes() > 0) {
         const std::span<const std::uint8_t> bytes = pending();
         std::size_t size = bytes.size();
+        bool isCut = false;
         if (!m_datagrams) {
             const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(m_searched, bytes.size()));
             const auto end = std::find(from, bytes.end(), std::uint8_t{'\n'});
@@ -74,9 +75,10 @@ bool LineDecoder::next(DecodedFrame& frame, Rest rest) {
             }
             if (end != bytes.end())
                 size = static_cast<std::size_t>(end - bytes.begin()) + 1;
-            const bool isTooLong = m_tooLong || size > kLongestFrame;
-            m_tooLong = isTooLong && end == bytes.end();
-            if (isTooLong) {
+            isCut = end == bytes.end() && rest != Rest::ended && std::holds_alternative<CsvFormat>(m_format);
+            const bool isDropped = m_begunLine || size > kLongestFrame;
+            m_begunLine = isDropped && end == bytes.end();
+            if (isDropped) {
                 m_searched = 0;
                 drop(size);
                 continue;
@@ -84,6 +86,7 @@ bool LineDecoder::next(DecodedFrame& frame, Rest rest) {
         }
         m_searched = 0;
         const std::string_view line = trimmed({reinterpret_cast<const char*>(bytes.data()), size});
+        m_begunLine = isCut && !line.empty();
         if (m_toSkip > 0 || line.empty()) {
             m_toSkip -= m_toSkip > 0 ? 1 : 0;
             drop(size);
@@ -94,7 +97,7 @@ bool LineDecoder::next(DecodedFrame& frame, Rest rest) {
         frame.ticks.reset();
         frame.time_s.reset();
         const Verdict verdict = std::holds_alternative<JsonFormat>(m_format) ? readJson(line, frame)
-                                : readCsv(line, frame)                       ? Verdict::frame
+                                : !isCut && readCsv(line, frame)             ? Verdict::frame
                                                                              : Verdict::wrong;
         if (verdict != Verdict::wrong) {
             take(size, verdict == Verdict::other);

@@ -12,7 +12,8 @@ namespace teleta::taxels {
 
 /// Frames that are lines of text: numbers between separators, or one JSON document each. Lines end with a
 /// line feed, before which a carriage return may stand. A line that is no frame is dropped and counted as bad
-/// values; empty lines are dropped. A document without the values is another frame. Thread: one (pure).
+/// values; empty lines are dropped. A line of numbers without its end may be cut within a number: only the
+/// last one of a file is believed. A document without the values is another frame. Thread: one (pure).
 class LineDecoder : public FrameDecoder {
 public:
     LineDecoder(CsvFormat format, Framing framing);
@@ -34,7 +35,7 @@ private:
     nlohmann::json::json_pointer m_counter;
     bool m_datagrams;
     std::size_t m_toSkip = 0;
-    bool m_tooLong = false;     ///< the begin of the line at hand was dropped
+    bool m_begunLine = false;   ///< the begin of the line at hand was dropped
     std::size_t m_searched = 0; ///< pending bytes in which no end of a line is
 };
 

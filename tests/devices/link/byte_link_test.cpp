@@ -7,6 +7,8 @@
 
 #include <array>
 #include <fcntl.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
@@ -50,6 +52,7 @@ TEST(ByteLink, readsANamedPipeThatMayComeBack) {
     ::close(writer);
     EXPECT_EQ(readAll(*link), "abc");
     EXPECT_FALSE(link->ended()) << "another writer may open it";
+    EXPECT_EQ(link->goneReason(), "The other program closed the pipe.");
     EXPECT_FALSE(link->isFile());
 }
 
@@ -59,8 +62,12 @@ TEST(ByteLink, setsParityAndStopBitsOfAPort) {
     ASSERT_EQ(::grantpt(master), 0);
     ASSERT_EQ(::unlockpt(master), 0);
     const std::string path = ::ptsname(master);
-    for (const auto& [parity, stopBits] :
-         {std::pair{Parity::none, 1}, std::pair{Parity::even, 2}, std::pair{Parity::odd, 1}}) {
+    for (const auto& [parity, stopBits] : {std::pair{Parity::none, 1}, std::pair{Parity::even, 2},
+                                           std::pair{Parity::odd, 1}, std::pair{Parity::even, 1}}) {
+        termios before{};
+        ASSERT_EQ(::tcgetattr(master, &before), 0);
+        before.c_cflag |= HUPCL;
+        ASSERT_EQ(::tcsetattr(master, TCSANOW, &before), 0);
         const auto link = ByteLink::open(SerialAddress{path, 921600, parity, stopBits}, soon(), nullptr);
         ASSERT_TRUE(link) << core::describe(link.error());
         termios settings{};
@@ -68,6 +75,7 @@ TEST(ByteLink, setsParityAndStopBitsOfAPort) {
         // A pseudo-terminal keeps stop bits and the kind of parity; that there is none it says of itself.
         EXPECT_EQ((settings.c_cflag & CSTOPB) != 0, stopBits == 2);
         EXPECT_EQ((settings.c_cflag & PARODD) != 0, parity == Parity::odd);
+        EXPECT_EQ(settings.c_cflag & HUPCL, 0U) << "a board must not start anew when the port is closed";
         EXPECT_EQ(::cfgetospeed(&settings), static_cast<speed_t>(B921600));
     }
     ::close(master);
@@ -85,6 +93,58 @@ TEST(ByteLink, refusesAUdpPortThatIsTaken) {
         return;
     }
     FAIL() << "no free port";
+}
+
+TEST(ByteLink, takesDatagramsOfTheOnlyHostThatMaySend) {
+    const auto sendTo = [](std::uint16_t port) {
+        const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+        sockaddr_in place{};
+        place.sin_family = AF_INET;
+        place.sin_port = htons(port);
+        place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(::sendto(socket, "abc", 3, 0, reinterpret_cast<const sockaddr*>(&place), sizeof place), 3);
+        ::close(socket);
+    };
+    struct Case {
+        const char* from;
+        bool isTaken;
+    };
+    for (const Case& known : {Case{"192.0.2.1", false}, Case{"127.0.0.1", true}, Case{"localhost", true},
+                              Case{"::ffff:127.0.0.1", true}, Case{"", true}}) {
+        const std::string from = known.from;
+        bool isOpen = false;
+        for (std::uint16_t port = 40'100; port < 40'200 && !isOpen; ++port) {
+            auto link = ByteLink::open(UdpAddress{port, from}, soon(), nullptr);
+            if (!link)
+                continue; // somebody has it
+            isOpen = true;
+            sendTo(port);
+            std::array<std::uint8_t, 8> buffer{};
+            std::size_t count = 0;
+            const std::int64_t deadline_ns = known.isTaken ? soon() : core::steadyNow_ns() + 100'000'000;
+            EXPECT_EQ(link->read(buffer, count, deadline_ns, nullptr),
+                      known.isTaken ? ByteLink::Outcome::done : ByteLink::Outcome::timedOut)
+                << from;
+            EXPECT_EQ(count, known.isTaken ? 3U : 0U) << from;
+        }
+        EXPECT_TRUE(isOpen) << from << ": no free port";
+    }
+}
+
+TEST(ByteLink, saysThatAFolderIsNoFile) {
+    const teleta::test::TemporaryFolder folder;
+    const auto link = ByteLink::open(FileAddress{folder.path(".")}, soon(), nullptr);
+    ASSERT_FALSE(link);
+    EXPECT_EQ(link.error().kind, core::ErrorKind::refused);
+    EXPECT_NE(link.error().message.find("is a folder"), std::string::npos) << link.error().message;
+}
+
+TEST(LinkAddress, isOneOfAWebSocketServer) {
+    for (const char* url : {"ws://127.0.0.1:5000", "wss://host/path", "ws://[::1]:80"})
+        EXPECT_TRUE(isWebAddress(url)) << url;
+    for (const char* url : {"", "ws://", "ws://:5000", "ws:///path", "ws://host:99999", "ws://host:port",
+                            "ws://a b", "ws://host\n", "http://host", "host:5000"})
+        EXPECT_FALSE(isWebAddress(url)) << url;
 }
 
 TEST(LinkAddress, hasTheNameThatPeopleKnow) {

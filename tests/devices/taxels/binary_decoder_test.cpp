@@ -211,6 +211,20 @@ TEST(BinaryDecoder, takesTheLengthFromTheFrameAndPassesOverFramesOfOtherLengths)
     }
 }
 
+TEST(BinaryDecoder, countsThePayloadUpToAChecksumThatIsNotTheLast) {
+    BinaryFormat format;
+    format.sync = {0xAA, 0x55};
+    format.lengthField =
+        LengthField{.field = {.at = 2, .type = NumberType::uint8}, .counts = LengthField::Counts::payload};
+    format.checksum = {.type = ChecksumType::sum8, .at = -3, .from = 3, .to = -3};
+    format.values = {.field = {.at = 3, .type = NumberType::uint8}, .count = 2};
+    const Bytes stream{0xAA, 0x55, 2, 1, 2, 3, 0x90, 0x91, 0xAA, 0x55, 2, 5, 6, 11, 0x92, 0x93};
+    const auto decoder = makeDecoder(format, Framing::stream);
+    const Decoded found = decode(*decoder, stream, 3);
+    EXPECT_EQ(found.values, (std::vector<std::vector<float>>{{1, 2}, {5, 6}}));
+    EXPECT_EQ(decoder->counters().droppedBytes, 0U);
+}
+
 TEST(BinaryDecoder, believesFramesWithoutAHeaderOnlyAfterTwoInARow) {
     constexpr std::size_t kChips = 5;
     Bytes stream = skinFrame(kChips, 100.0F);

@@ -41,14 +41,31 @@ TEST(LineDecoder, readsColumnsOfLines) {
     EXPECT_EQ(found, (Frames{{3, 5}, {7, 9}}));
     EXPECT_EQ(decoder->counters().badValues, 3U);
     DecodedFrame frame;
-    ASSERT_TRUE(decoder->next(frame, Rest::willNotCome)) << "the last line may lack its end";
+    ASSERT_TRUE(decoder->next(frame, Rest::ended)) << "the last line of a file may lack its end";
     EXPECT_EQ(frame.values, (std::vector<float>{13, 15}));
     EXPECT_DOUBLE_EQ(frame.time_s.value_or(0.0), 0.6);
 }
 
+TEST(LineDecoder, dropsALineOfNumbersThatIsCut) {
+    const auto decoder = makeDecoder(CsvFormat{.lastColumn = 1}, Framing::stream);
+    EXPECT_EQ(decode(*decoder, "5\n12", Rest::willNotCome), (Frames{{5}}));
+    EXPECT_EQ(decoder->counters().badValues, 1U);
+    EXPECT_EQ(decoder->pendingBytes(), 0U);
+    DecodedFrame frame;
+    decoder->feed(bytesOf("3\n6\n\r"));
+    ASSERT_TRUE(decoder->next(frame, Rest::willNotCome));
+    EXPECT_EQ(frame.values, std::vector<float>{6}) << "not the rest of the line";
+    EXPECT_FALSE(decoder->next(frame, Rest::willNotCome));
+    decoder->feed(bytesOf("7\n\r"));
+    ASSERT_TRUE(decoder->next(frame)) << "no line begins with a carriage return alone";
+    EXPECT_EQ(frame.values, std::vector<float>{7});
+    EXPECT_EQ(decoder->counters().badValues, 1U);
+}
+
 TEST(LineDecoder, readsOtherSeparators) {
     const auto decoder = makeDecoder(CsvFormat{.separator = '\t', .lastColumn = 2}, Framing::stream);
-    EXPECT_EQ(decode(*decoder, "1\t2\n-3e2\t4\n"), (Frames{{1, 2}, {-300, 4}}));
+    EXPECT_EQ(decode(*decoder, "1\t2\n-3e2\t4\n+-5\t4\n"), (Frames{{1, 2}, {-300, 4}}));
+    EXPECT_EQ(decoder->counters().badValues, 1U) << "a number has one sign";
 }
 
 TEST(LineDecoder, readsNumbersOutOfJson) {

@@ -113,14 +113,42 @@ TEST(Magnetometers, takeTheMedianOfFiftyFramesForTheirRest) {
     EXPECT_TRUE(std::isnan((*rest)[0]));
 }
 
-TEST(Magnetometers, sayThatTheyAreSilentWhenTheirRestIsMeasured) {
+TEST(Magnetometers, sayGoodbyeWhenTheirMeasurementIsCancelled) {
     teleta::test::TemporaryFolder folder;
     Board board("pty", "skin", folder.path("port"));
     TaxelsFile file = test::parsed(skinOn(folder.path("port")));
+    file.greeting = "s";
+    file.goodbye = "x";
     bool cancelled = false;
     const auto rest = measureRest(file, [&] { return std::exchange(cancelled, true); });
     ASSERT_FALSE(rest);
     EXPECT_EQ(rest.error().kind, core::ErrorKind::cancelled);
+    EXPECT_EQ(board.heard(), "7378");
+}
+
+TEST(Magnetometers, sayHowManyFramesAreMissingForTheirTare) {
+    teleta::test::TemporaryFolder folder;
+    const std::string path = folder.path("bytes.bin");
+    {
+        Board board("file", "skin", path);
+        ASSERT_TRUE(board.command("write 0-6"));
+    }
+    TaxelsFile file = test::parsed(skinOn(path));
+    file.address = link::FileAddress{path};
+    const auto rest = measureRest(file);
+    ASSERT_FALSE(rest);
+    EXPECT_EQ(rest.error().kind, core::ErrorKind::unavailable);
+    EXPECT_NE(rest.error().message.find("only 7 of 50"), std::string::npos) << rest.error().message;
+}
+
+TEST(Magnetometers, mayBeSlowerThanTheWaitForTheirWholeTare) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skin", folder.path("port"));
+    TaxelsFile file = test::parsed(skinOn(folder.path("port")));
+    file.restFrames = 3;
+    // 3.6 s for three frames, which is longer than the wait for one of them.
+    board.say("write pause:100 0 1 pause:1800 2 3 pause:1800 4 5");
+    EXPECT_TRUE(measureRest(file));
 }
 
 TEST(Magnetometers, readTheTextOfReSkin) {

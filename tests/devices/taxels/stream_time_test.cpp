@@ -74,6 +74,19 @@ TEST(StreamTime, takesSecondsAsTheyAreAndNeverGoesBack) {
     EXPECT_DOUBLE_EQ(at(10.5, 3.1).time_s, 3.5);
 }
 
+TEST(StreamTime, countsNoIntervalTwiceWhenSomeFramesLackTheirTime) {
+    StreamTime time{JsonFormat{.mayLackTime = true}};
+    DecodedFrame frame;
+    const auto at = [&](std::optional<double> time_s, double host_s) {
+        frame.time_s = time_s;
+        return time.advance(frame, host_s).time_s;
+    };
+    EXPECT_DOUBLE_EQ(at(1e9, 0.5), 0.5);
+    EXPECT_DOUBLE_EQ(at(std::nullopt, 0.75), 0.75);
+    EXPECT_DOUBLE_EQ(at(1e9 + 0.5, 1.0), 1.0);
+    EXPECT_DOUBLE_EQ(at(1e9 + 0.75, 1.5), 1.25);
+}
+
 TEST(StreamTime, isTheHostsWithoutAnyOther) {
     StreamTime time{CsvFormat{}};
     EXPECT_DOUBLE_EQ(time.advance({}, 0.1).time_s, 0.1);

@@ -69,6 +69,18 @@ TEST(TaxelGrid, putsACrossOnAGrid) {
     EXPECT_EQ(placed("positions_mm = [[3, 4]]", 1), (std::vector<float>{1}));
 }
 
+TEST(TaxelGrid, takesPlacesOfOneColumnThatAreSlightlyOffIt) {
+    const std::string square = "positions_mm = [[0, 0], [7, 0], [0.01, 7], [7, 7]]";
+    EXPECT_EQ(placed(square, 4), (std::vector<float>{1, 2, 3, 4}));
+    const auto file = withLayout(square, 4);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->grid.layout(), (core::ArrayLayout{2, 2, 0.007}));
+    const auto column = withLayout("positions_mm = [[0.01, 0], [0, 3], [-0.01, 6.01], [0, 12]]", 4);
+    ASSERT_TRUE(column) << core::describe(column.error());
+    EXPECT_EQ(column->grid.layout().rows, 5);
+    EXPECT_EQ(column->grid.layout().columns, 1);
+}
+
 TEST(TaxelGrid, saysWhatIsWrongWithALayout) {
     struct Case {
         std::string layout;
@@ -84,6 +96,10 @@ TEST(TaxelGrid, saysWhatIsWrongWithALayout) {
         {kTwoByThree + "mask = [0, 1, 2, 3, 4, 5]", 1, "places without a taxel", 11},
         {kTwoByThree + "mask = [0.5]", 5, "places without a taxel", 11},
         {kTwoByThree + "mask = [6]", 5, "from 0 to 5", 11},
+        {kTwoByThree + "mask = [-1]", 5, "at least 0", 11},
+        {kTwoByThree + "mask = [2e6]", 5, "from 0 to 5", 11},
+        {kTwoByThree + "places = [-1, 0]", 2, "at least 0", 11},
+        {"positions_mm = [[nan, 0], [7, 0], [14, nan]]", 3, "-10000", 8},
         {kTwoByThree + "places = [0, 0]", 2, "places of taxels", 11},
         {kTwoByThree + "places = [0]\nmask = [1]", 1, "already where no taxel is", 12},
         {kTwoByThree, 7, "7 numbers, but the layout has 6 taxels with 1 each", 13},

@@ -165,6 +165,28 @@ TEST_F(TaxelsDeviceTest, isStaleThenLostWhenTheSensorFallsSilent) {
         m_wakeup, [&] { return m_device->status().message.find("no usable frame") != std::string::npos; }));
 }
 
+TEST_F(TaxelsDeviceTest, isStaleThenLostWhenTheSensorRepeatsOneFrame) {
+    Board board("pty", "counted", m_folder.path("port"));
+    TaxelsTimes times = longTimes();
+    times.stale_ms = 100;
+    times.noFrames_ms = 400;
+    start(onPort(test::kCounted), times);
+    ASSERT_TRUE(board.command("write 0-2"));
+    ASSERT_TRUE(receive(3));
+    const auto repeatsUntil = [&](const auto& condition) {
+        return eventually(m_wakeup, [&] {
+            (void)board.command("write 2");
+            return condition(m_device->status());
+        });
+    };
+    ASSERT_TRUE(
+        repeatsUntil([](const core::DeviceStatus& status) { return status.state == DeviceState::stale; }));
+    ASSERT_TRUE(repeatsUntil([](const core::DeviceStatus& status) {
+        return status.message.find("no usable frame") != std::string::npos;
+    }));
+    EXPECT_GE(m_device->counters().repeatedFrames, 1U);
+}
+
 TEST_F(TaxelsDeviceTest, greetsTheSensorAndSaysGoodbye) {
     Board board("pty", "counted", m_folder.path("port"));
     start(test::head() + test::serialLink(m_folder.path("port")) +
@@ -211,21 +233,6 @@ TEST_F(TaxelsDeviceTest, takesDatagramsOfThisComputerForOneFrameEach) {
     }
 }
 
-TEST_F(TaxelsDeviceTest, takesNoDatagramsOfAnotherHost) {
-    const std::string port = freePort();
-    TaxelsTimes times = longTimes();
-    times.noFrames_ms = 200;
-    start(test::head() + "[link]\ntype = 'udp'\nport = " + port + "\nfrom = '192.0.2.1'\n" + test::kGrid +
-              test::kCounted,
-          times);
-    Board board("udp", "counted", port);
-    board.say("write 0-9");
-    ASSERT_TRUE(reaches(DeviceState::lost) || m_device->status().state == DeviceState::reconnecting);
-    drain();
-    EXPECT_TRUE(m_frames.empty());
-    EXPECT_EQ(m_device->counters().line.droppedBytes, 0U);
-}
-
 TEST_F(TaxelsDeviceTest, playsAFileToItsEndWithoutLosingAFrame) {
     constexpr std::uint32_t kFrames = 3000; // more than the queue takes at once
     const std::string path = m_folder.path("bytes.bin");
@@ -241,6 +248,41 @@ TEST_F(TaxelsDeviceTest, playsAFileToItsEndWithoutLosingAFrame) {
     EXPECT_EQ(m_device->status().framesLost, 0U);
     EXPECT_TRUE(m_device->description().recorded);
     EXPECT_EQ(m_device->counters().line.droppedBytes, 2U);
+}
+
+TEST_F(TaxelsDeviceTest, playsAFileWithoutTimesAtItsRate) {
+    const std::string path = m_folder.path("bytes.csv");
+    {
+        Board board("file", "csv", path);
+        ASSERT_TRUE(board.command("write 0-9"));
+    }
+    start("rate_Hz = 200.0\n" + test::head() + "[link]\ntype = 'file'\npath = '" + path + "'\n" +
+          test::kGrid + "[frame]\nencoding = 'csv'\ncolumns = '2..85'\nskip = 0\n");
+    ASSERT_TRUE(receive(10));
+    for (std::size_t i = 1; i < m_time_s.size(); ++i)
+        EXPECT_NEAR(m_time_s[i] - m_time_s[i - 1], 5e-3, 1e-9);
+}
+
+TEST_F(TaxelsDeviceTest, believesALineWithoutItsEndOnlyAtTheEndOfAFile) {
+    const std::string text = "0,1,2\n0.1,3,4";
+    const std::string layout = "[layout]\nrows = 1\ncolumns = 2\npitch_x_mm = 1.0\n";
+    const std::string frame = "[frame]\nencoding = 'csv'\ncolumns = '2..3'\nskip = 0\n";
+    start(test::head() + "[link]\ntype = 'file'\npath = '" + m_folder.write("bytes.csv", text) + "'\n" +
+          layout + frame);
+    ASSERT_TRUE(reaches(DeviceState::finished));
+    drain();
+    EXPECT_EQ(m_frames, (std::vector<std::vector<float>>{{1, 2}, {3, 4}}));
+    m_frames.clear();
+
+    Board board("pty", "csv", m_folder.path("port"));
+    start(test::head() + test::serialLink(m_folder.path("port")) + layout + frame);
+    // As noise: the text, which is cut, then an unplugged board.
+    ASSERT_TRUE(board.command("write noise:302C312C320A302E312C332C34"));
+    ASSERT_TRUE(receive(1));
+    ASSERT_TRUE(board.command("unplug"));
+    ASSERT_TRUE(eventually(m_wakeup, [&] { return m_device->counters().line.badValues == 1; }));
+    drain();
+    EXPECT_EQ(m_frames, (std::vector<std::vector<float>>{{1, 2}}));
 }
 
 TEST_F(TaxelsDeviceTest, probesWhatCameWhereItIsAndHowFast) {

@@ -65,6 +65,8 @@ TEST(TaxelsFile, readsTheOtherLinks) {
     EXPECT_EQ(linked("type = 'udp'\nport = 4000\n"), link::Address(link::UdpAddress{4000, ""}));
     EXPECT_EQ(linked("type = 'udp'\nport = 4000\nfrom = '10.0.0.2'\n"),
               link::Address(link::UdpAddress{4000, "10.0.0.2"}));
+    EXPECT_EQ(linked("type = 'websocket'\nurl = 'ws://hand:4000/a'\n"),
+              link::Address(link::WebAddress{"ws://hand:4000/a"}));
     EXPECT_EQ(linked("type = 'file'\npath = 'bytes.bin'\n"),
               link::Address(link::FileAddress{"/files/bytes.bin"}));
 }
@@ -88,13 +90,14 @@ TEST(TaxelsFile, saysWhatIsWrongWhere) {
         long long line;
     };
     const std::vector<Case> cases{
+        {"kind = 'taxels'", "kind = 'taxel'", "magnetometers", 1},
         {"name = 'glove'", "nam = 'glove'", "nam", 2},
         {"type = 'serial'", "type = 'usb'", "usb", 4},
         {"baud = 921600", "baud = 1", "9600", 6},
         {"stop_bits = 2", "stop_bits = 3", "3", 8},
         {"encoding = 'binary'", "encoding = 'hex'", "hex", 12},
-        {"sync = 'AA 55'", "sync = 'AA 5'", "no hexadecimal bytes", 13},
-        {"sync = 'AA 55'", "sync = 'XY'", "no hexadecimal bytes", 13},
+        {"sync = 'AA 55'", "sync = 'AA 5'", "not a list of hexadecimal bytes", 13},
+        {"sync = 'AA 55'", "sync = 'XY'", "not a list of hexadecimal bytes", 13},
         {"length = 179", "", "the length of a frame is not clear", 11},
         {"length = 179", "length = 1", "longer than the frame", 14},
         {"length = 179", "length = 100", "are not in the frame", 18},
@@ -128,6 +131,15 @@ TEST(TaxelsFile, saysWhatIsWrongWhere) {
         EXPECT_EQ(file.error().where.line, known.line) << known.with << ": " << core::describe(file.error());
         EXPECT_EQ(file.error().where.column > 0, known.line > 0) << core::describe(file.error());
     }
+}
+
+TEST(TaxelsFile, knowsTheKindsOfArrays) {
+    for (const char* kind : {"taxels", "magnetometers", "xela"})
+        EXPECT_TRUE(isArrayKind(kind));
+    EXPECT_FALSE(isArrayKind("wts"));
+    EXPECT_FALSE(isArrayKind(""));
+    EXPECT_NE(core::describe(parseTaxels("name = 'glove'\n", "glove.toml").error()).find("kind"),
+              std::string::npos);
 }
 
 TEST(TaxelsFile, saysWhatIsWrongWithTextFrames) {

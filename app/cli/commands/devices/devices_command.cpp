@@ -52,7 +52,7 @@ struct DeviceValue {
 
 /// A device that was found, or one that was looked for and not found.
 struct FoundDevice {
-    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera, taxels, magnetometers, xela
+    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera, or of a taxels::isArrayKind()
     std::string name;
     std::string where;                    ///< path or address
     std::optional<core::Error> error{};   ///< why it cannot be used; nothing: it is connected
@@ -246,8 +246,8 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
         return probeRegisters(path);
     if (kind == 3)
         return probeBracelet(path);
-    if (kind >= 4)
-        return probeStream(path, root.text("kind"), bytes);
+    if (const std::string name = root.text("kind"); taxels::isArrayKind(name))
+        return probeStream(path, name, bytes);
     return kind == 1 ? probeArray(document) : probeCamera(document);
 }
 
@@ -271,7 +271,7 @@ nlohmann::ordered_json toJson(const FoundDevice& device) {
 }
 
 bool isArray(const std::string& kind) {
-    return kind == "wts" || kind == "taxels" || kind == "magnetometers" || kind == "xela";
+    return kind == "wts" || taxels::isArrayKind(kind);
 }
 
 QString kindName(const std::string& kind) {
@@ -332,9 +332,12 @@ public:
                   DevicesText::tr(
                       "Connect to the device of this description and read it; its motors are set to zero"),
                   "DEVICE.toml");
-        addOption(app, "--bytes", m_bytes,
-                  DevicesText::tr("Of a described array: show so many of the bytes that it sends"),
-                  CLI::Range(1, 1'000'000).description(""), "N");
+        addOption(
+            app, "--bytes", m_bytes,
+            DevicesText::tr("Of a described array: show at most so many of the bytes that it sends until a "
+                            "second after its first frame"),
+            CLI::Range(1, 1'000'000).description(""), "N")
+            ->needs("--probe");
         declareJson(app, m_json);
     }
 
