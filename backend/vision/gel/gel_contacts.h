@@ -7,6 +7,7 @@
 #include "backend/vision/gel/slip_monitor.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,7 +37,6 @@ class GelContacts {
 public:
     /// The contacts of the next picture, the largest displacement first.
     [[nodiscard]] const std::vector<GelContactState>& next(const MarkerGel& gel);
-    [[nodiscard]] const std::vector<MarkerStrain>& strains() const { return m_strains; }
 
 private:
     struct Followed {
@@ -49,8 +49,29 @@ private:
         std::vector<std::size_t> loaded;
         std::vector<Eigen::Vector2d> start_m; ///< displacement of each loaded marker then
     };
-    void judgeSlip(const MarkerGel& gel, GelContactState& contact, Followed& followed);
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
+    /// Fills m_patchOf.
+    [[nodiscard]] std::vector<SkinPatch> findPatches(const MarkerGel& gel);
+    /// The mean displacement of the markers outside of patches.
+    [[nodiscard]] Eigen::Vector2d movedOutside_m(const MarkerGel& gel) const;
+    [[nodiscard]] GelContactState measured(const MarkerGel& gel, const SkinPatch& patch, std::size_t number,
+                                           const Eigen::Vector2d& outside_m) const;
+    /// The contact of the last picture that shares most markers with a patch, taken out of these; or a new
+    /// one.
+    [[nodiscard]] Followed followedInto(std::size_t patch, std::vector<Followed>& before);
+    void judgeSlip(const MarkerGel& gel, GelContactState& contact, Followed& followed) const;
+    [[nodiscard]] std::vector<std::size_t> loadedUnder(const MarkerGel& gel,
+                                                       const GelContactState& contact) const;
+    /// How far the markers of a contact that have a neighbour outside of it moved since the last picture.
+    [[nodiscard]] Eigen::Vector2d rimMoved_m(const MarkerGel& gel, const GelContactState& contact) const;
+    /// Sum of the divergence over markers, times the area of one.
+    [[nodiscard]] double loadOn_m2(const std::vector<std::size_t>& markers) const;
+    [[nodiscard]] double loadNoise_m2(std::size_t markers) const;
+
+    double m_noise_m = 0.0; ///< of a marker
+    double m_pitch_m = 0.0;
+    std::vector<std::size_t> m_patchOf; ///< of each marker; kNone: none
     std::vector<MarkerStrain> m_strains;
     std::vector<SkinNode> m_nodes;
     std::vector<GelContactState> m_contacts;

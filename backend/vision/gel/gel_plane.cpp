@@ -2,6 +2,7 @@
 #include "backend/vision/gel/gel_plane.h"
 
 #include "backend/core/failure.h"
+#include "backend/vision/gel/marker_layout.h"
 
 #include <QCoreApplication>
 
@@ -9,7 +10,10 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace teleta::vision {
 
@@ -20,61 +24,39 @@ struct PlaneText {
 };
 
 constexpr double kMmPerM = 1000.0;
-constexpr int kMostSteps = 30;
-constexpr double kClosest = 1e-12; ///< on the plane at unit distance
-
-RationalDistortion distortionOf(const MarkerGelFile::Lens& lens) {
-    RationalDistortion distortion;
-    distortion.k1 = lens.k1;
-    distortion.k2 = lens.k2;
-    distortion.k3 = lens.k3;
-    distortion.p1 = lens.p1;
-    distortion.p2 = lens.p2;
-    return distortion;
-}
-
-Eigen::Vector2d onUnitPlane(const MarkerGelFile::Lens& lens, const Eigen::Vector2d& pixel) {
-    return {(pixel.x() - lens.cx_px) / lens.fx_px, (pixel.y() - lens.cy_px) / lens.fy_px};
-}
-
-/// Newton's method, started at the distorted place.
-Eigen::Vector2d withoutLens(const MarkerGelFile::Lens& lens, const Eigen::Vector2d& pixel) {
-    const RationalDistortion distortion = distortionOf(lens);
-    const Eigen::Vector2d seen = onUnitPlane(lens, pixel);
-    Eigen::Vector2d point = seen;
-    for (int step = 0; step < kMostSteps; ++step) {
-        const Eigen::Vector2d off = distortion.apply(point) - seen;
-        if (off.squaredNorm() < kClosest * kClosest)
-            break;
-        point -= distortion.slope(point).inverse() * off;
-    }
-    return {lens.fx_px * point.x() + lens.cx_px, lens.fy_px * point.y() + lens.cy_px};
+tl::expected<CameraModel, CameraModel::Refusal> lensOf(const MarkerGelFile::Lens& lens, int width_px,
+                                                       int height_px) {
+    CameraParameters camera;
+    camera.width_px = width_px;
+    camera.height_px = height_px;
+    camera.fx_px = lens.fx_px;
+    camera.fy_px = lens.fy_px;
+    camera.cx_px = lens.cx_px;
+    camera.cy_px = lens.cy_px;
+    camera.distortion.k1 = lens.k1;
+    camera.distortion.k2 = lens.k2;
+    camera.distortion.k3 = lens.k3;
+    camera.distortion.p1 = lens.p1;
+    camera.distortion.p2 = lens.p2;
+    return CameraModel::create(camera);
 }
 
 } // namespace
 
-Eigen::Vector2d GelPlane::undistorted(const MarkerGelFile& gel, const Eigen::Vector2d& pixel) {
-    return gel.lens ? withoutLens(*gel.lens, pixel) : pixel;
-}
-
 core::Expected<GelPlane> GelPlane::make(const MarkerGelFile& gel, int width_px, int height_px,
-                                        double pitch_px) {
+                                        std::span<const Eigen::Vector2d> markers_px) {
     GelPlane plane;
-    plane.m_lens = gel.lens;
     const std::array<Eigen::Vector2d, 4> corners{Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(width_px, 0.0),
                                                  Eigen::Vector2d(0.0, height_px),
                                                  Eigen::Vector2d(width_px, height_px)};
     if (gel.lens) {
-        // The undistorted corner may lie further out than the seen one.
-        constexpr double kFarther = 4.0;
-        double seen = 0.0;
-        for (const Eigen::Vector2d& corner : corners)
-            seen = std::max(seen, onUnitPlane(*gel.lens, corner).norm());
-        const RationalDistortion distortion = distortionOf(*gel.lens);
-        const double open = monotoneRadius(distortion, kFarther * seen);
-        if (!(open > 0.0) || distortion.radial(open) < seen)
+        const auto lens = lensOf(*gel.lens, width_px, height_px);
+        if (!lens || !std::ranges::all_of(corners, [&](const Eigen::Vector2d& corner) {
+                return lens->undistort(corner).has_value();
+            }))
             return core::refused(PlaneText::tr("The lens in the file folds within the picture."),
                                  PlaneText::tr("a lens that shows each place once"));
+        plane.m_lens = *lens;
     }
     if (gel.plane.homography.size() == 9) {
         for (Eigen::Index i = 0; i < 9; ++i)
@@ -82,7 +64,7 @@ core::Expected<GelPlane> GelPlane::make(const MarkerGelFile& gel, int width_px, 
         double least = std::numeric_limits<double>::infinity();
         double most = -least;
         for (const Eigen::Vector2d& corner : corners) {
-            const double depth = plane.m_homography.row(2) * undistorted(gel, corner).homogeneous();
+            const double depth = plane.m_homography.row(2) * plane.undistorted(corner).homogeneous();
             least = std::min(least, depth);
             most = std::max(most, depth);
         }
@@ -91,16 +73,30 @@ core::Expected<GelPlane> GelPlane::make(const MarkerGelFile& gel, int width_px, 
                                  PlaneText::tr("a matrix that maps the picture onto a plane"));
         return plane;
     }
-    const double scale_m =
-        (gel.plane.pitch_mm ? *gel.plane.pitch_mm / pitch_px : gel.plane.mmPerPx.value_or(1.0)) / kMmPerM;
+    double scale_m = gel.plane.mmPerPx.value_or(1.0) / kMmPerM;
+    if (gel.plane.pitch_mm) {
+        std::vector<Eigen::Vector2d> straight_px;
+        for (const Eigen::Vector2d& marker : markers_px)
+            straight_px.push_back(plane.undistorted(marker));
+        scale_m = *gel.plane.pitch_mm / nearestDistance_px(straight_px) / kMmPerM;
+    }
     plane.m_homography(0, 0) = scale_m;
     plane.m_homography(1, 1) = scale_m;
     return plane;
 }
 
+Eigen::Vector2d GelPlane::undistorted(const Eigen::Vector2d& pixel) const {
+    if (!m_lens)
+        return pixel;
+    const auto point = m_lens->undistort(pixel);
+    if (!point)
+        return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    const CameraParameters& camera = m_lens->parameters();
+    return {camera.fx_px * point->x() + camera.cx_px, camera.fy_px * point->y() + camera.cy_px};
+}
+
 Eigen::Vector2d GelPlane::surface_m(const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector2d straight = m_lens ? withoutLens(*m_lens, pixel) : pixel;
-    return (m_homography * straight.homogeneous()).hnormalized();
+    return (m_homography * undistorted(pixel).homogeneous()).hnormalized();
 }
 
 double GelPlane::scale_m(const Eigen::Vector2d& pixel) const {

@@ -63,7 +63,9 @@ MarkerDetector::MarkerDetector(double diameter_px, double apart_px)
     : m_diameter_px(diameter_px)
     , m_window_px(0.75 * diameter_px + 1.0)
     , m_innerRing_px(m_window_px)
-    , m_ring_px(m_innerRing_px + std::max(1.5, 0.2 * diameter_px)) {
+    , m_ring_px(m_innerRing_px + std::max(1.5, 0.2 * diameter_px))
+    , m_apart_px(oddSize(diameter_px))
+    , m_square(cv::getStructuringElement(cv::MORPH_RECT, {m_apart_px, m_apart_px})) {
     if (apart_px > 0.0) {
         m_window_px = std::min(m_window_px, std::max(0.5 * diameter_px + 0.5, apart_px - 0.6 * diameter_px));
         m_innerRing_px = m_window_px;
@@ -93,12 +95,10 @@ void MarkerDetector::spots(const cv::Mat1b& picture, double leastContrast, std::
     }
     cv::blur(*read, m_near, {nearSize, nearSize}, {-1, -1}, cv::BORDER_REPLICATE);
     cv::subtract(m_far, m_near, m_response); // saturates at 0
-    const int apart = oddSize(m_diameter_px);
-    cv::dilate(m_response, m_highest, cv::getStructuringElement(cv::MORPH_RECT, {apart, apart}));
+    cv::dilate(m_response, m_highest, m_square);
     const auto least = static_cast<std::uint8_t>(std::clamp(std::ceil(leastContrast), 1.0, 255.0));
     const int last = picture.cols - 1;
     const int lowest = picture.rows - 1;
-    // Neighbouring pixels of a flat summit count once, as their mean.
     for (int v = 0; v < picture.rows; ++v) {
         const std::uint8_t* row = m_response[v];
         const std::uint8_t* highest = m_highest[v];
@@ -113,13 +113,14 @@ void MarkerDetector::spots(const cv::Mat1b& picture, double leastContrast, std::
             found.push_back({{u + vertex(left, here, right), v + vertex(above, here, below)}, here});
         }
     }
-    const double close_px = 0.5 * apart;
+    // Neighbouring pixels of a flat summit count once: the first of them.
+    const double close_px = 0.5 * m_apart_px;
     std::size_t kept = 0;
     for (const MarkerSpot& spot : found) {
         bool isNew = true;
         for (std::size_t i = kept; i-- > 0;) {
             const Eigen::Vector2d off = found[i].place_px - spot.place_px;
-            if (-off.y() > apart)
+            if (-off.y() > m_apart_px)
                 break;
             if (off.cwiseAbs().maxCoeff() <= close_px) {
                 isNew = false;
@@ -326,6 +327,22 @@ std::optional<MarkerCentre> MarkerDetector::centre(const cv::Mat1b& picture, con
     return result;
 }
 
+std::vector<MarkerCentre> MarkerDetector::centres(const cv::Mat1b& picture) {
+    std::vector<MarkerSpot> found;
+    spots(picture, 1.0, found);
+    const double least = partingContrast(found);
+    std::vector<MarkerCentre> centres;
+    if (!(least > 0.0))
+        return centres;
+    for (const MarkerSpot& spot : found) {
+        if (spot.contrast < least)
+            continue;
+        if (const auto settled = centre(picture, spot.place_px, 0.5 * least))
+            centres.push_back(*settled);
+    }
+    return centres;
+}
+
 double partingContrast(const std::vector<MarkerSpot>& spots) {
     // Otsu's parting of the logarithms: uneven light scales the contrast of all markers.
     std::vector<double> levels;
@@ -363,15 +380,14 @@ double partingContrast(const std::vector<MarkerSpot>& spots) {
         for (std::size_t i = above; i < levels.size(); ++i)
             lower += levels[i];
         lower /= static_cast<double>(levels.size() - above);
-        if (upper - lower < kOneClass) {
-            // One class: markers only, or texture only.
-            const double deviation = levels.front() - levels.back();
-            if (deviation > 2.0 * kOneClass)
-                return 0.0;
-            return std::exp(levels.back()) >= kLeastLevels ? std::exp(levels.back()) : 0.0;
+        if (upper - lower >= kOneClass) {
+            const double parting = std::exp(0.5 * (levels[above - 1] + levels[above]));
+            return std::exp(upper) >= kLeastLevels ? std::max(parting, 0.5 * kLeastLevels) : 0.0;
         }
-        const double parting = std::exp(0.5 * (levels[above - 1] + levels[above]));
-        return std::exp(upper) >= kLeastLevels ? std::max(parting, 0.5 * kLeastLevels) : 0.0;
+        // One class: markers only, or texture only.
+        const double range = levels.front() - levels.back();
+        if (range > 2.0 * kOneClass)
+            return 0.0;
     }
     return std::exp(levels.back()) >= kLeastLevels ? std::exp(levels.back()) : 0.0;
 }
@@ -401,16 +417,9 @@ double findMarkerDiameter(const cv::Mat1b& picture) {
         return 0.0;
     // Then by the area of the markers themselves, twice, as the window follows the diameter.
     for (int round = 0; round < 2; ++round) {
-        MarkerDetector detector(found_px);
-        detector.spots(picture, 1.0, spots);
-        const double least = partingContrast(spots);
         std::vector<double> diameters;
-        for (const MarkerSpot& spot : spots) {
-            if (spot.contrast < least)
-                continue;
-            if (const auto centre = detector.centre(picture, spot.place_px, 0.5 * least))
-                diameters.push_back(centre->diameter_px);
-        }
+        for (const MarkerCentre& centre : MarkerDetector(found_px).centres(picture))
+            diameters.push_back(centre.diameter_px);
         if (diameters.size() < kLeastSpots)
             return found_px;
         found_px = std::clamp(core::medianOf(diameters), kSmallest_px, std::max(kSmallest_px, largest_px));

@@ -28,8 +28,9 @@ struct MarkerCentre {
 
 /// Finds dark round markers of about one diameter in pictures.
 ///   spot:   local maximum of  mean over 2 diameters - mean over 0.7 diameters
-///   centre: where  sum k(|x - c|) s(x)  is largest,  k' = -(1 - ((r - D/2) / h)^2)^2,  h = 0.3 D,
-///           s = (ground(x) - I(x)) / (0.6 contrast), held to 0..1; ground: plane through the ring around it
+///   centre: where  sum k(|x - c|) s(x)  is largest,  k' = -(1 - ((r - D/2) / h)^2)^2,
+///           h = max(1.5 px, 0.3 D),  s = (ground(x) - I(x)) / (0.6 contrast), held to 0..1; ground: plane
+///           through the ring around it
 /// So a marker is a disc that is dark everywhere, and its rim tells where. Brightness and its slope across a
 /// marker cancel, and what crosses one, such as a scratch, pulls only where it crosses the rim; a centroid of
 /// the darkness would follow all of it. Thread: one.
@@ -51,6 +52,9 @@ public:
     centre(const cv::Mat1b& picture, const Eigen::Vector2d& place_px, double leastContrast,
            double mostContrast = std::numeric_limits<double>::infinity());
 
+    /// The markers of a picture: centres of all spots that stand out from its texture.
+    [[nodiscard]] std::vector<MarkerCentre> centres(const cv::Mat1b& picture);
+
     [[nodiscard]] double diameter_px() const { return m_diameter_px; }
 
 private:
@@ -66,6 +70,8 @@ private:
     std::vector<float> m_shade;       ///< of a square of 2 m_reach + 1 pixels, each row m_stride long
     int m_reach = 0, m_stride = 0;
     std::vector<std::uint8_t> m_levels;
+    int m_apart_px;   ///< side of the square in which there is one spot
+    cv::Mat m_square; ///< that square
     cv::Mat1b m_held, m_near, m_far, m_response, m_highest;
 };
 

@@ -26,6 +26,7 @@ constexpr double kFlatLevels = 3.0;      ///< standard deviation of a picture wi
 constexpr double kMostLong = 2.0;        ///< long axis over short axis of a marker
 constexpr double kSmallestOfUsual = 0.5; ///< diameter against the median
 constexpr double kLargestOfUsual = 1.8;
+constexpr double kSame = 0.5; ///< diameters; markers do not lie so close
 constexpr double kUnknownNoise_px = 0.1;
 constexpr double kLeastNoise_px = 0.02; ///< of pictures that a program made
 constexpr double kMoves = 5.0;          ///< standard deviations
@@ -65,29 +66,34 @@ std::vector<Eigen::Vector2d> placesOf(const std::vector<MarkerCentre>& centres) 
 
 /// The round spots of about one size.
 std::vector<MarkerCentre> markersIn(const cv::Mat1b& picture, MarkerDetector& detector) {
-    std::vector<MarkerSpot> spots;
-    detector.spots(picture, 1.0, spots);
-    const double least = partingContrast(spots);
-    std::vector<MarkerCentre> centres;
-    if (!(least > 0.0))
-        return centres;
-    std::vector<double> diameters;
-    for (const MarkerSpot& spot : spots) {
-        if (spot.contrast < least)
-            continue;
-        if (const auto centre = detector.centre(picture, spot.place_px, 0.5 * least)) {
-            centres.push_back(*centre);
-            diameters.push_back(centre->diameter_px);
-        }
-    }
+    std::vector<MarkerCentre> centres = detector.centres(picture);
     if (centres.empty())
         return centres;
+    std::vector<double> diameters;
+    for (const MarkerCentre& centre : centres)
+        diameters.push_back(centre.diameter_px);
     const double usual_px = core::medianOf(diameters);
     std::erase_if(centres, [&](const MarkerCentre& centre) {
         return centre.longness > kMostLong || centre.diameter_px < kSmallestOfUsual * usual_px ||
                centre.diameter_px > kLargestOfUsual * usual_px;
     });
-    return centres;
+    // Two spots may have led to one marker.
+    std::vector<MarkerCentre> kept;
+    for (const MarkerCentre& centre : centres) {
+        if (std::ranges::none_of(kept, [&](const MarkerCentre& other) {
+                return (other.place_px - centre.place_px).norm() < kSame * detector.diameter_px();
+            }))
+            kept.push_back(centre);
+    }
+    return kept;
+}
+
+core::Unexpected tooFew(std::size_t found) {
+    return core::refused(
+        GelText::tr("Only %1 markers were found in the picture.").arg(found),
+        GelText::tr("at least %1 round spots of one size; check channel, marker and diameter_px in the "
+                    "sensor file")
+            .arg(kLeastMarkers));
 }
 
 } // namespace
@@ -129,14 +135,12 @@ core::Expected<MarkerGel> MarkerGel::make(const MarkerGelFile& file, std::span<c
         centres = markersIn(start, rough);
     }
     if (centres.size() < kLeastMarkers)
-        return core::refused(
-            GelText::tr("The picture shows no markers: %1 were found.").arg(centres.size()),
-            GelText::tr("at least %1 round %2 spots of one size")
-                .arg(kLeastMarkers)
-                .arg(file.polarity == MarkerPolarity::bright ? GelText::tr("bright") : GelText::tr("dark")));
+        return tooFew(centres.size());
     // Again, with what neighbours leave of the window.
     MarkerDetector detector(diameter_px, nearestDistance_px(placesOf(centres)));
     centres = markersIn(start, detector);
+    if (centres.size() < kLeastMarkers)
+        return tooFew(centres.size());
     std::vector<GridPlace> grid = gridPlaces(placesOf(centres), file.grid, file.rows, file.columns);
     if (file.grid != MarkerGrid::free) {
         const std::size_t seen = centres.size();
@@ -171,12 +175,10 @@ core::Expected<MarkerGel> MarkerGel::make(const MarkerGelFile& file, std::span<c
             centres.push_back(centre);
         }
     }
-    std::vector<Eigen::Vector2d> straight = placesOf(centres);
-    std::vector<std::vector<std::size_t>> neighbours = markerNeighbours(straight);
-    for (Eigen::Vector2d& place : straight)
-        place = GelPlane::undistorted(file, place);
-    TELETA_TRY(GelPlane plane, GelPlane::make(file, start.cols, start.rows, nearestDistance_px(straight)));
-    MarkerGel gel(MarkerTracker(detector, centres, std::move(neighbours)), std::move(plane));
+    const std::vector<Eigen::Vector2d> places = placesOf(centres);
+    TELETA_TRY(GelPlane plane, GelPlane::make(file, start.cols, start.rows, places));
+    MarkerGel gel(MarkerTracker(detector, centres, markerNeighbours(places)), std::move(plane));
+    gel.m_isBright = file.polarity == MarkerPolarity::bright;
     gel.m_size = start.size();
     gel.m_diameter_px = diameter_px;
     gel.m_scale_m = gel.m_plane.scale_m({0.5 * start.cols, 0.5 * start.rows});
@@ -236,8 +238,7 @@ void MarkerGel::findReference(std::span<const cv::Mat1b> first) {
         }
         ++m_references;
     }
-    double squares_px2 = 0.0;
-    std::size_t degrees = 0;
+    std::vector<double> variances_px2; // of each marker along an axis
     for (std::size_t i = 0; i < count; ++i) {
         std::vector<double> u, v;
         for (const Eigen::Vector2d& place : places[i]) {
@@ -251,13 +252,18 @@ void MarkerGel::findReference(std::span<const cv::Mat1b> first) {
         Eigen::Vector2d mean = Eigen::Vector2d::Zero();
         for (const Eigen::Vector2d& place : places[i])
             mean += place / static_cast<double>(places[i].size());
+        if (places[i].size() < 2)
+            continue;
+        double squares_px2 = 0.0;
         for (const Eigen::Vector2d& place : places[i])
             squares_px2 += (place - mean).squaredNorm();
-        degrees += 2 * (places[i].size() - 1);
+        const double degrees = 2.0 * static_cast<double>(places[i].size() - 1);
+        // The median of chi squared, after Wilson and Hilferty.
+        variances_px2.push_back(squares_px2 / (degrees * std::pow(1.0 - 2.0 / (9.0 * degrees), 3.0)));
     }
-    m_noise_px = degrees < 2 * kLeastMarkers
+    m_noise_px = variances_px2.size() < kLeastMarkers
                      ? kUnknownNoise_px
-                     : std::max(kLeastNoise_px, std::sqrt(squares_px2 / static_cast<double>(degrees)));
+                     : std::max(kLeastNoise_px, std::sqrt(core::medianOf(variances_px2)));
     m_tracker.forget();
 }
 
@@ -285,7 +291,8 @@ void MarkerGel::place() {
 }
 
 void MarkerGel::judge(const cv::Mat1b& picture, double time_s) {
-    const auto [level, spread] = levelsOf(picture);
+    const auto [seen, spread] = levelsOf(picture);
+    const double level = m_isBright ? 255.0 - seen : seen;
     m_faults = {};
     m_faults.dead = spread < kFlatLevels;
     if (std::isnan(m_usualLevel)) {

@@ -71,11 +71,11 @@ public:
     [[nodiscard]] double pitch_px() const { return m_tracker.pitch_px(); }
     /// Pictures that the places at rest were made from.
     [[nodiscard]] std::size_t referencePictures() const { return m_references; }
-    /// Standard deviation of a marker's place in a picture without contact, along one axis. From a single
-    /// picture it is not known: then it is taken as 0.1 px.
+    /// Standard deviation of a marker's place in a picture without contact, along one axis: the median of the
+    /// markers. From a single picture it is not known: then it is taken as 0.1 px.
     [[nodiscard]] double noise_px() const { return m_noise_px; }
-    [[nodiscard]] double noise_m() const { return m_noise_px * m_scale_m; }
-    [[nodiscard]] const GelPlane& plane() const { return m_plane; }
+    /// Size on the surface of a pixel in the middle of the picture.
+    [[nodiscard]] double scale_m() const { return m_scale_m; }
 
 private:
     MarkerGel(MarkerTracker tracker, GelPlane plane)
@@ -95,7 +95,8 @@ private:
     std::size_t m_references = 0;
     double m_diameter_px = 0.0;
     double m_noise_px = 0.0;
-    double m_scale_m = 0.0; ///< of a pixel in the middle of the picture
+    double m_scale_m = 0.0;
+    bool m_isBright = false; ///< the markers; then the pictures are inverted
     double m_usualLevel = std::numeric_limits<double>::quiet_NaN();
     double m_lostSince_s = std::numeric_limits<double>::quiet_NaN();
 };

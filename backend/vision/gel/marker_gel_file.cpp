@@ -29,12 +29,12 @@ void describeLens(core::Keys& keys, MarkerGelFile::Lens& lens) {
     const auto bend = core::NumberRange::between(-1000.0, 1000.0);
     keys.number("fx", lens.fx_px, focus, "Focal length along u, in pixels");
     keys.number("fy", lens.fy_px, focus, "Focal length along v, in pixels");
-    keys.number("cx", lens.cx_px, place, "Where the axis meets the picture, along u, in pixels");
-    keys.number("cy", lens.cy_px, place, "The same along v");
-    keys.number("k1", lens.k1, bend, "Radial distortion, as OpenCV has it", core::Need::optional);
-    keys.number("k2", lens.k2, bend, "The same, second term", core::Need::optional);
-    keys.number("p1", lens.p1, bend, "Decentring", core::Need::optional);
-    keys.number("p2", lens.p2, bend, "Decentring, second term", core::Need::optional);
+    keys.number("cx", lens.cx_px, place, "Principal point, along u, in pixels");
+    keys.number("cy", lens.cy_px, place, "Principal point, along v, in pixels");
+    keys.number("k1", lens.k1, bend, "Radial distortion, as in OpenCV", core::Need::optional);
+    keys.number("k2", lens.k2, bend, "Radial distortion, second term", core::Need::optional);
+    keys.number("p1", lens.p1, bend, "Tangential distortion", core::Need::optional);
+    keys.number("p2", lens.p2, bend, "Tangential distortion, second term", core::Need::optional);
     keys.number("k3", lens.k3, bend, "Radial distortion, third term", core::Need::optional);
 }
 
@@ -105,7 +105,7 @@ void MarkerGelFile::describeKeys(core::Keys& keys) {
                 });
     keys.table("plane", "From the picture to the gel's surface: one of mm_per_px, homography and pitch_mm",
                core::Need::required, [this](core::Keys& inner) { describePlane(inner, plane); });
-    keys.table("lens", lens, "The lens, in pixels of the cropped picture",
+    keys.table("lens", lens, "The lens, in pixels of the cropped and flipped picture",
                [](core::Keys& inner, Lens& value) { describeLens(inner, value); });
 }
 

@@ -38,7 +38,7 @@ struct MarkerGelFile {
         std::optional<double> pitch_mm; ///< distance of neighbouring markers
     } plane;
 
-    /// In pixels of the cropped and flipped picture; distortion as OpenCV has it.
+    /// In pixels of the cropped and flipped picture; distortion as in OpenCV.
     struct Lens {
         double fx_px = 0.0, fy_px = 0.0, cx_px = 0.0, cy_px = 0.0;
         double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0, k3 = 0.0;

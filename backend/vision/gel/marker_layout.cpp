@@ -113,8 +113,8 @@ struct Reached {
     double off = 0.0;
     std::size_t place = 0;
     int i = 0, j = 0;
-    Eigen::Vector2d step = Eigen::Vector2d::Zero();
-    int direction = 0;
+    std::size_t from = 0;
+    std::size_t direction = 0;
     bool operator<(const Reached& other) const { return off > other.off; }
 };
 
@@ -126,8 +126,8 @@ Numbers numbered(std::span<const Eigen::Vector2d> places, const Steps& steps, st
     Numbers numbers(places.size());
     std::map<std::pair<int, int>, std::size_t> taken;
     std::priority_queue<Reached> open;
-    open.push({.place = seed, .direction = -1});
-    std::vector<std::array<Eigen::Vector2d, 4>> own(places.size(), common);
+    open.push({.place = seed, .from = seed});
+    std::vector<std::array<Eigen::Vector2d, 4>> own(places.size(), common); // of those that have a number
     while (!open.empty()) {
         const Reached next = open.top();
         open.pop();
@@ -135,6 +135,13 @@ Numbers numbered(std::span<const Eigen::Vector2d> places, const Steps& steps, st
             continue;
         numbers[next.place] = {next.i, next.j};
         taken[{next.i, next.j}] = next.place;
+        if (next.from != next.place) {
+            // The steps of a bent grid change slowly.
+            own[next.place] = own[next.from];
+            Eigen::Vector2d& step = own[next.place][next.direction];
+            step = 0.5 * (step + places[next.place] - places[next.from]);
+            own[next.place][next.direction ^ 1U] = -step;
+        }
         for (std::size_t d = 0; d < kDirections.size(); ++d) {
             const Eigen::Vector2d step = own[next.place][d];
             const Eigen::Vector2d expected = places[next.place] + step;
@@ -149,17 +156,12 @@ Numbers numbered(std::span<const Eigen::Vector2d> places, const Steps& steps, st
             }
             if (best == places.size() || numbers[best])
                 continue;
-            // The steps of a bent grid change slowly.
-            own[best] = own[next.place];
-            const Eigen::Vector2d seen = places[best] - places[next.place];
-            own[best][d] = 0.5 * (step + seen);
-            own[best][d ^ 1U] = -own[best][d];
             open.push({.off = least / step.norm(),
                        .place = best,
                        .i = next.i + kDirections[d].first,
                        .j = next.j + kDirections[d].second,
-                       .step = seen,
-                       .direction = static_cast<int>(d)});
+                       .from = next.place,
+                       .direction = d});
         }
     }
     return numbers;

@@ -20,8 +20,8 @@ struct GridPlace {
 /// Median distance of a place to its nearest one; 0 for fewer than two. Thread: any (pure).
 [[nodiscard]] double nearestDistance_px(std::span<const Eigen::Vector2d> places_px);
 
-/// Indices of the neighbours of each place: those within 1.6 times the local distance, in both directions,
-/// nearest first and at most 8. Thread: any (pure).
+/// Indices of the neighbours of each place: the 8 nearest of those within 1.6 times the
+/// local distance, nearest first. Thread: any (pure).
 [[nodiscard]] std::vector<std::vector<std::size_t>>
 markerNeighbours(std::span<const Eigen::Vector2d> places_px);
 

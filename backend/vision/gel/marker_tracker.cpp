@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -90,19 +91,12 @@ void MarkerTracker::sortSpots(const cv::Mat1b& picture) {
     };
     m_first.assign(static_cast<std::size_t>(m_squaresAcross * m_squaresDown) + 1, 0);
     for (const MarkerSpot& spot : m_spots)
-        ++m_first[squareOf(spot) + 1];
-    for (std::size_t k = 1; k < m_first.size(); ++k)
-        m_first[k] += m_first[k - 1];
+        ++m_first[squareOf(spot)];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
     m_inSquares.resize(m_spots.size());
-    for (std::size_t s = m_spots.size(); s-- > 0;) {
-        // Filled from the end of each square; the ends become the beginnings.
-        const std::size_t square = squareOf(m_spots[s]);
-        m_inSquares[--m_first[square + 1]] = s;
-    }
-    // Each entry now holds the beginning of its predecessor's square.
-    for (std::size_t k = 0; k + 1 < m_first.size(); ++k)
-        m_first[k] = m_first[k + 1];
-    m_first.back() = m_spots.size();
+    // Filled from the end of each square; the ends become the beginnings.
+    for (std::size_t s = m_spots.size(); s-- > 0;)
+        m_inSquares[--m_first[squareOf(m_spots[s])]] = s;
     m_taken.assign(m_spots.size(), 0);
 }
 
@@ -225,12 +219,13 @@ bool MarkerTracker::neighboursMoved(std::size_t marker, Eigen::Vector2d& moved_p
     return true;
 }
 
-bool MarkerTracker::strays(std::size_t marker) const {
+double MarkerTracker::strays(std::size_t marker) const {
     const TrackedMarker& own = m_markers[marker];
+    double worst = 0.0;
     Eigen::Vector2d around_px;
-    if (m_states[marker].wasFound && neighboursMoved(marker, around_px) &&
-        (own.now_px - m_states[marker].before_px - around_px).norm() > kAgree * m_states[marker].pitch_px)
-        return true;
+    if (m_states[marker].wasFound && neighboursMoved(marker, around_px))
+        worst = (own.now_px - m_states[marker].before_px - around_px).norm() /
+                (kAgree * m_states[marker].pitch_px);
     // The picture of a gel is neither folded nor torn: most distances to neighbours stay of their size.
     std::size_t bad = 0;
     std::size_t all = 0;
@@ -242,7 +237,9 @@ bool MarkerTracker::strays(std::size_t marker) const {
         ++all;
         bad += now_px < kShortest * rest_px || now_px > kLongest * rest_px ? 1 : 0;
     }
-    return 2 * bad > all;
+    if (all > 0)
+        worst = std::max(worst, 2.0 * static_cast<double>(bad) / static_cast<double>(all));
+    return worst > 1.0 ? worst : 0.0;
 }
 
 bool MarkerTracker::led(std::size_t marker, Eigen::Vector2d& place_px) const {
@@ -303,17 +300,23 @@ bool MarkerTracker::led(std::size_t marker, Eigen::Vector2d& place_px) const {
 }
 
 void MarkerTracker::dropStrays() {
-    // All are judged by the same neighbours, then the worst go first: a stray makes its neighbours look bad.
-    for (int round = 0; round < 3; ++round) {
-        bool any = false;
+    // All are judged by the same neighbours, then the worst go: a stray makes its neighbours look bad.
+    bool any = true;
+    while (any) {
+        any = false;
+        m_strays.assign(m_markers.size(), 0.0);
         for (std::size_t i = 0; i < m_markers.size(); ++i) {
-            if (m_markers[i].found && strays(i)) {
+            if (m_markers[i].found)
+                m_strays[i] = strays(i);
+        }
+        for (std::size_t i = 0; i < m_markers.size(); ++i) {
+            if (m_strays[i] > 0.0 && std::ranges::all_of(m_neighbours[i], [&](std::size_t k) {
+                    return m_strays[k] <= m_strays[i];
+                })) {
                 release(i);
                 any = true;
             }
         }
-        if (!any)
-            return;
     }
 }
 
@@ -334,7 +337,7 @@ void MarkerTracker::searchLost() {
             if (spot == kNone)
                 continue;
             take(i, spot);
-            if (strays(i))
+            if (strays(i) > 0.0)
                 release(i);
             else
                 any = true;

@@ -23,11 +23,11 @@ struct TrackedMarker {
 /// Follows the markers of a gel from picture to picture. In each picture all dark spots are found; a marker
 /// takes the spot next to where it is expected, within 0.45 pitches. It is expected where its velocity leads
 /// or where it was, whichever makes neighbours move more alike; after a gap also at rest. A marker that moves
-/// otherwise than its neighbours, or lies on the wrong side of them, loses its spot. Lost ones are searched
-/// where their neighbours lead, from these inwards: by an affine map fitted to them. One spot is never two
-/// markers. Unlike DotTracker it does not stay in a window about each dot, since between two pictures a gel
-/// may move by nearly half the distance of its markers and turn by any angle over time. Thread: one;
-/// allocates nothing once the largest number of spots was seen.
+/// otherwise than its neighbours, or whose distances to them no longer fit, loses its spot, the worst first.
+/// Lost ones are searched where their neighbours lead, from these inwards: by an affine map fitted to them.
+/// One spot is never two markers. Unlike DotTracker it does not stay in a window about each dot, since
+/// between two pictures a gel may move by nearly half the distance of its markers and turn by any angle over
+/// time. Thread: one; allocates nothing once the largest number of spots was seen.
 class MarkerTracker {
 public:
     /// rest_px: places in a picture, found by the detector, with their contrast there. neighbours: of each.
@@ -73,7 +73,8 @@ private:
     [[nodiscard]] double disagreement(Guess guess, const std::vector<std::size_t>& spotOf) const;
     void dropStrays();
     void searchLost();
-    [[nodiscard]] bool strays(std::size_t marker) const;
+    /// How far a marker is from what its neighbours allow, > 1; 0 when it agrees with them.
+    [[nodiscard]] double strays(std::size_t marker) const;
     /// Where the found neighbours of a marker lead it. Returns false without enough of them.
     [[nodiscard]] bool led(std::size_t marker, Eigen::Vector2d& place_px) const;
     /// The median way of the found neighbours since the last picture. Returns false with fewer than two.
@@ -94,7 +95,8 @@ private:
     std::vector<std::size_t> m_spotOf; ///< of each marker; kNone: lost
     std::vector<std::size_t> m_trial;
     std::vector<Pair> m_pairs;
-    bool m_afterGap = false; ///< most markers were lost in the last picture
+    std::vector<double> m_strays; ///< of each marker, as strays() says
+    bool m_afterGap = false;      ///< most markers were lost in the last picture
     /// Spots by squares of one pitch: of square k those from m_first[k] to m_first[k + 1] in m_inSquares.
     int m_squaresAcross = 0, m_squaresDown = 0;
     std::vector<std::size_t> m_first, m_inSquares;

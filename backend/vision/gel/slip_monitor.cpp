@@ -2,7 +2,9 @@
 #include "backend/vision/gel/slip_monitor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace teleta::vision {
 
@@ -21,41 +23,41 @@ constexpr double kLeastPeak = 10.0; ///< noises; a smaller shear may fall by its
 
 struct Rigid {
     Eigen::Vector2d rest = Eigen::Vector2d::Zero(), now = Eigen::Vector2d::Zero(); ///< means
-    double turn_rad = 0.0;
+    double cosine = 1.0, sine = 0.0;                                               ///< of the turn
     [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector2d& place) const {
         const Eigen::Vector2d off = place - rest;
-        const double c = std::cos(turn_rad);
-        const double s = std::sin(turn_rad);
-        return now + Eigen::Vector2d(c * off.x() - s * off.y(), s * off.x() + c * off.y());
+        return now + Eigen::Vector2d(cosine * off.x() - sine * off.y(), sine * off.x() + cosine * off.y());
     }
 };
 
-/// Least squares over the places that are picked; at least two.
-template <typename Pick>
-Rigid rigidOf(std::span<const ContactPlace> places, Pick pick) {
+/// Least squares; at least two places.
+Rigid rigidOf(std::span<const ContactPlace> places) {
     Rigid rigid;
-    double count = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!pick(i))
-            continue;
-        rigid.rest += places[i].rest_m;
-        rigid.now += places[i].rest_m + places[i].moved_m;
-        count += 1.0;
+    for (const ContactPlace& place : places) {
+        rigid.rest += place.rest_m;
+        rigid.now += place.rest_m + place.moved_m;
     }
-    rigid.rest /= count;
-    rigid.now /= count;
+    rigid.rest /= static_cast<double>(places.size());
+    rigid.now /= static_cast<double>(places.size());
     double dot = 0.0, cross = 0.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!pick(i))
-            continue;
-        const Eigen::Vector2d from = places[i].rest_m - rigid.rest;
-        const Eigen::Vector2d to = places[i].rest_m + places[i].moved_m - rigid.now;
+    for (const ContactPlace& place : places) {
+        const Eigen::Vector2d from = place.rest_m - rigid.rest;
+        const Eigen::Vector2d to = place.rest_m + place.moved_m - rigid.now;
         dot += from.dot(to);
         cross += from.x() * to.y() - from.y() * to.x();
     }
-    rigid.turn_rad = std::atan2(cross, dot);
+    if (const double size = std::hypot(dot, cross); size > 0.0) {
+        rigid.cosine = dot / size;
+        rigid.sine = cross / size;
+    }
     return rigid;
 }
+
+/// A motion and how many places agree with it.
+struct Proposal {
+    Rigid rigid;
+    std::size_t count = 0;
+};
 
 } // namespace
 
@@ -66,55 +68,51 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
     for (const ContactPlace& place : places)
         largest_m = std::max(largest_m, place.moved_m.norm());
     const double tolerance_m = kNoises * noise_m + kShareOfMotion * largest_m;
-    const auto agrees = [&](const Rigid& rigid, std::size_t i) {
-        return (rigid.at(places[i].rest_m) - places[i].rest_m - places[i].moved_m).norm() <= tolerance_m;
+    const auto agrees = [tolerance_m](const Rigid& rigid, const ContactPlace& place) {
+        return (rigid.at(place.rest_m) - place.rest_m - place.moved_m).norm() <= tolerance_m;
     };
-    const auto agreeing = [&](const Rigid& rigid) {
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < places.size(); ++i)
-            count += agrees(rigid, i) ? 1 : 0;
-        return count;
+    const auto proposed = [&](const Rigid& rigid) {
+        const auto count =
+            std::ranges::count_if(places, [&](const ContactPlace& place) { return agrees(rigid, place); });
+        return Proposal{rigid, static_cast<std::size_t>(count)};
     };
     const std::size_t pairs = places.size() * (places.size() - 1) / 2;
     const std::size_t stride = (pairs + kMostProposals - 1) / kMostProposals;
-    Rigid best;
+    std::vector<Proposal> proposals;
+    proposals.reserve(kMostProposals);
+    std::size_t number = 0;
     std::size_t most = 0;
-    // What slips lags behind. Where less than half of the places stick, a slice of those that slip may agree
-    // as well; it is as thick on both sides of its middle, so that half as many are enough for the foremost.
-    constexpr double kForemost = 0.45;
-    double furthest_m = -1.0;
-    for (const bool counting : {true, false}) {
-        std::size_t number = 0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            for (std::size_t k = i + 1; k < places.size(); ++k) {
-                if (number++ % stride != 0 || (places[k].rest_m - places[i].rest_m).isZero(0.0))
-                    continue;
-                const Rigid rigid = rigidOf(places, [i, k](std::size_t n) { return n == i || n == k; });
-                const std::size_t count = agreeing(rigid);
-                if (counting) {
-                    most = std::max(most, count);
-                    continue;
-                }
-                const double moved_m = (rigid.now - rigid.rest).norm();
-                const double enough = 2 * most >= places.size() ? 1.0 : kForemost;
-                if (static_cast<double>(count) >= enough * static_cast<double>(most) &&
-                    moved_m > furthest_m) {
-                    furthest_m = moved_m;
-                    best = rigid;
-                }
-            }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t k = i + 1; k < places.size(); ++k) {
+            if (number++ % stride != 0 || (places[k].rest_m - places[i].rest_m).isZero(0.0))
+                continue;
+            proposals.push_back(proposed(rigidOf(std::array{places[i], places[k]})));
+            most = std::max(most, proposals.back().count);
         }
     }
     if (most < 2)
         return std::nullopt;
-    const Rigid fitted = rigidOf(places, [&](std::size_t n) { return agrees(best, n); });
-    if (agreeing(fitted) >= agreeing(best))
-        best = fitted;
-    SharedMotion shared{.translation_m = best.now - best.rest, .turn_rad = best.turn_rad};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        shared.sticks.push_back(agrees(best, i));
-        shared.sticking += shared.sticks.back() ? 1 : 0;
+    // What slips lags behind. Where less than half of the places stick, a slice of those that slip may agree
+    // as well; it is as thick on both sides of its middle, so that half as many are enough for the foremost.
+    constexpr double kForemost = 0.45;
+    const double enough = (2 * most >= places.size() ? 1.0 : kForemost) * static_cast<double>(most);
+    double furthest_m = -1.0;
+    Proposal best;
+    for (const Proposal& proposal : proposals) {
+        const double moved_m = (proposal.rigid.now - proposal.rigid.rest).norm();
+        if (static_cast<double>(proposal.count) >= enough && moved_m > furthest_m) {
+            furthest_m = moved_m;
+            best = proposal;
+        }
     }
+    std::vector<ContactPlace> alike;
+    std::ranges::copy_if(places, std::back_inserter(alike),
+                         [&](const ContactPlace& place) { return agrees(best.rigid, place); });
+    if (const Proposal fitted = proposed(rigidOf(alike)); fitted.count >= best.count)
+        best = fitted;
+    SharedMotion shared{.turn_rad = std::atan2(best.rigid.sine, best.rigid.cosine), .sticking = best.count};
+    for (const ContactPlace& place : places)
+        shared.sticks.push_back(agrees(best.rigid, place));
     return shared;
 }
 

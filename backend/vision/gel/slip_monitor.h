@@ -16,9 +16,8 @@ struct ContactPlace {
     Eigen::Vector2d moved_m = Eigen::Vector2d::Zero();
 };
 
-/// A translation and a turn that most places of a contact share, and how many do.
+/// A rigid motion that most places of a contact share, and how many do.
 struct SharedMotion {
-    Eigen::Vector2d translation_m = Eigen::Vector2d::Zero(); ///< of the mean of the places that share it
     double turn_rad = 0.0;
     std::vector<bool> sticks{}; ///< of each place: its residual is within the tolerance
     std::size_t sticking = 0;

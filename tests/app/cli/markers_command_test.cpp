@@ -127,7 +127,7 @@ TEST_F(MarkersCommand, refusesVideosInWhichNothingCanBeFollowed) {
     for (int i = 0; i < 20; ++i)
         video.write(slope);
     video.release();
-    expectRefused(m_folder.path("slope.avi"), "no markers");
+    expectRefused(m_folder.path("slope.avi"), "markers were found");
     expectRefused(m_folder.path("missing.avi"), "does not exist");
 }
 

@@ -63,8 +63,7 @@ public:
         addOption(app, "--sensor", m_sensorPath, MarkersText::tr("Sensor file of kind \"marker_gel\""),
                   "FILE.toml")
             ->required();
-        addFlag(app, "--summary", m_summaryOnly,
-                MarkersText::tr("Print what was found in all, without the table"));
+        addFlag(app, "--summary", m_summaryOnly, MarkersText::tr("Print a summary instead of the table"));
         declareJson(app, m_output.json);
         declareOut(app, m_output.outPath);
     }
@@ -99,8 +98,10 @@ public:
                 frame = waiting[next];
             } else {
                 TELETA_TRY(const bool isThere, read(stream, file, frame));
-                if (!isThere)
+                if (!isThere) {
+                    stopped = interrupted();
                     break;
+                }
             }
             if (auto tracked = gel.track(frame.picture, frame.time_s); !tracked)
                 return inVideo(tracked.error());
@@ -124,8 +125,7 @@ public:
         if (stopped)
             return core::Unexpected(interruption());
         if (m_gone)
-            return core::failed(core::ErrorKind::unavailable,
-                                MarkersText::tr("the camera has stopped sending frames"), {}, {m_video});
+            return gone();
         return {};
     }
 
@@ -141,6 +141,11 @@ private:
         if (error.kind == core::ErrorKind::refused)
             error.kind = core::ErrorKind::badInput;
         return core::Unexpected(error);
+    }
+
+    [[nodiscard]] core::Unexpected gone() const {
+        return core::failed(core::ErrorKind::unavailable,
+                            MarkersText::tr("the camera has stopped sending frames"), {}, {m_video});
     }
 
     /// The next frame that can be decoded; false: there are no more.
@@ -187,6 +192,8 @@ private:
             return core::Unexpected(interruption());
         if (waiting.size() >= 2)
             return {};
+        if (m_gone)
+            return gone();
         return core::failed(core::ErrorKind::badInput,
                             waiting.empty()
                                 ? MarkersText::tr("the video has no frame that can be decoded")
@@ -289,7 +296,7 @@ private:
             }
             return printDocument(document);
         }
-        return printFields({
+        Fields fields{
             {MarkersText::tr("frames"), QString::number(m_summary.frames)},
             {MarkersText::tr("markers"), QString::number(gel.markers().size())},
             {MarkersText::tr("found"), MarkersText::tr("%1 %").arg(forPeople(100.0 * found))},
@@ -301,7 +308,22 @@ private:
             {MarkersText::tr("largest displacement"),
              MarkersText::tr("%1 mm").arg(forPeople(kMmPerM * m_summary.largest_m))},
             {MarkersText::tr("contacts"), QString::number(m_summary.contacts.size())},
-        });
+        };
+        for (std::size_t i = 0; i < m_summary.contacts.size(); ++i)
+            fields.emplace_back(MarkersText::tr("contact %1").arg(i + 1), textOf(m_summary.contacts[i]));
+        return printFields(fields);
+    }
+
+    [[nodiscard]] static QString textOf(const ContactSummary& contact) {
+        QString text = MarkersText::tr("%1 s to %2 s, centre (%3, %4) mm")
+                           .arg(forPeople(contact.begin_s), forPeople(contact.end_s),
+                                forPeople(kMmPerM * contact.largest.centre_m.x()),
+                                forPeople(kMmPerM * contact.largest.centre_m.y()));
+        if (contact.slipIndex)
+            text += MarkersText::tr(", slip index up to %1").arg(forPeople(*contact.slipIndex));
+        if (contact.slip_s)
+            text += MarkersText::tr(", slip at %1 s").arg(forPeople(*contact.slip_s));
+        return text;
     }
 
     std::string m_video;

@@ -22,8 +22,6 @@ struct GelContact {
     double turn_rad = 0.0;
 
     [[nodiscard]] Eigen::Vector2d displacement_m(const Eigen::Vector2d& place_m) const;
-    /// How far the part that sticks has moved.
-    [[nodiscard]] Eigen::Vector2d stuckShear_m() const { return slip_m * (1.0 - stick * stick); }
 };
 
 } // namespace teleta::simulation

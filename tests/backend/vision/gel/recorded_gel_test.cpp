@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recorded gel with markers, against the tracks of the sensor's maker and against OpenCV's Lucas-Kanade.
+#include "backend/core/quantile.h"
 #include "backend/vision/gel/marker_gel.h"
 
 #include <gtest/gtest.h>
@@ -41,11 +42,6 @@ std::vector<Published> publishedTracks() {
         tracks.push_back(track);
     }
     return tracks;
-}
-
-double quantile(std::vector<double> values, double share) {
-    std::ranges::sort(values);
-    return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
 struct Track {
@@ -114,11 +110,12 @@ TEST_F(RecordedGel, movesAsTheMakersProgramSays) {
         square += theirs.moved_px.squaredNorm();
     }
     ASSERT_EQ(moved, 592U);
-    std::cout << differences_px.size() << " of 592: median " << quantile(differences_px, 0.5) << " px, 95 % "
-              << quantile(differences_px, 0.95) << " px, slope " << product / square << '\n';
+    std::cout << differences_px.size() << " of 592: median " << core::lowerQuantileOf(differences_px, 0.5)
+              << " px, 95 % " << core::lowerQuantileOf(differences_px, 0.95) << " px, slope "
+              << product / square << '\n';
     EXPECT_GE(differences_px.size(), 540U);
-    EXPECT_LT(quantile(differences_px, 0.5), 0.65);
-    EXPECT_LT(quantile(differences_px, 0.95), 1.6);
+    EXPECT_LT(core::lowerQuantileOf(differences_px, 0.5), 0.65);
+    EXPECT_LT(core::lowerQuantileOf(differences_px, 0.95), 1.6);
     EXPECT_GT(product / square, 0.97);
     EXPECT_LT(product / square, 1.08);
 }
@@ -144,19 +141,21 @@ TEST_F(RecordedGel, movesAsLucasAndKanadeSee) {
                                                 ours_px.y() - static_cast<double>(theirs_px.y)));
         }
     }
-    std::cout << differences_px.size() << " places: median " << quantile(differences_px, 0.5) << " px, 95 % "
-              << quantile(differences_px, 0.95) << " px\n";
+    std::cout << differences_px.size() << " places: median " << core::lowerQuantileOf(differences_px, 0.5)
+              << " px, 95 % " << core::lowerQuantileOf(differences_px, 0.95) << " px\n";
     EXPECT_GT(differences_px.size(), 2800U);
-    EXPECT_LT(quantile(differences_px, 0.5), 0.20);
-    EXPECT_LT(quantile(differences_px, 0.95), 1.5);
+    EXPECT_LT(core::lowerQuantileOf(differences_px, 0.5), 0.20);
+    EXPECT_LT(core::lowerQuantileOf(differences_px, 0.95), 1.5);
 }
 
 TEST_F(RecordedGel, isStillAtRestAndAtRestAgain) {
     std::vector<double> jitter_px;
     for (const Track& track : m_tracks) {
         Eigen::Vector2d mean = Eigen::Vector2d::Zero(), squares = mean;
-        for (std::size_t frame = 0; frame < 7; ++frame)
+        for (std::size_t frame = 0; frame < 7; ++frame) {
+            EXPECT_TRUE(track.found[frame]) << frame;
             mean += track.places_px[frame] / 7.0;
+        }
         for (std::size_t frame = 0; frame < 7; ++frame)
             squares += (track.places_px[frame] - mean).cwiseAbs2() / 6.0;
         for (const double square : squares)
@@ -172,10 +171,11 @@ TEST_F(RecordedGel, isStillAtRestAndAtRestAgain) {
     }
     std::cout << "jitter " << std::sqrt(sum)
               << " px an axis over the 7 frames before anything moves; at rest again to "
-              << quantile(off_px, 0.5) << " px, most " << quantile(off_px, 1.0) << " px\n";
+              << core::lowerQuantileOf(off_px, 0.5) << " px, most " << core::lowerQuantileOf(off_px, 1.0)
+              << " px\n";
     EXPECT_LT(std::sqrt(sum), 0.08);
-    EXPECT_LT(quantile(off_px, 0.5), 0.15);
-    EXPECT_LT(quantile(off_px, 1.0), 3.0); // none swapped: neighbours are 32 px apart
+    EXPECT_LT(core::lowerQuantileOf(off_px, 0.5), 0.15);
+    EXPECT_LT(core::lowerQuantileOf(off_px, 1.0), 3.0); // none swapped: neighbours are 32 px apart
 }
 
 } // namespace teleta::vision

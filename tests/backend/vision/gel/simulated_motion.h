@@ -90,7 +90,6 @@ public:
     [[nodiscard]] simulation::GelRenderer& renderer() { return m_renderer; }
     /// The number of a marker in the drawing.
     [[nodiscard]] std::size_t drawn(std::size_t marker) const { return m_true[marker]; }
-    [[nodiscard]] double time_s() const { return m_time_s; }
 
 private:
     vision::MarkerGelFile m_file;
