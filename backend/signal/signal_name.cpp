@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/signal/signal_name.h"
 
-#include <cctype>
+#include "backend/core/data/column_unit.h"
 
 namespace teleta::signal {
 
@@ -19,14 +19,8 @@ bool isOfEvents(const recording::StreamInfo& stream) {
 }
 
 std::string nameWithUnit(const std::string& name, const std::string& unit) {
-    std::string ending = "_";
-    for (const char c : unit) {
-        if (c == '/')
-            ending += "_per_";
-        else if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            ending += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return unit.empty() || name.ends_with(ending) ? name : name + ending;
+    const std::string ending = "_" + core::columnUnit(unit);
+    return unit.empty() || ending.size() == 1 || name.ends_with(ending) ? name : name + ending;
 }
 
 } // namespace teleta::signal

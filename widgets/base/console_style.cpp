@@ -47,7 +47,8 @@ void drawCheck(const QStyleOption& option, QPainter& painter) {
     const bool isOn = flat.has(QStyle::State_On) || flat.has(QStyle::State_NoChange);
     const QRectF box(option.rect);
     flat.box(box, isOn ? flat.colours().accent : option.palette.color(QPalette::Base),
-             flat.focused() ? flat.colours().ring : flat.colours().edge, 0.375, flat.focused() ? 2.0 : 1.0);
+             flat.focused() ? flat.colours().ring : flat.colours().edge, 0.375,
+             flat.focused() ? ControlPainter::kRing_px : 1.0);
     if (flat.has(QStyle::State_On)) {
         flat.tick(box, flat.colours().onAccent);
     } else if (flat.has(QStyle::State_NoChange)) {
@@ -63,7 +64,8 @@ void drawRadio(const QStyleOption& option, QPainter& painter) {
     const QRectF box(option.rect);
     const double round = box.width() / flat.px(1.0); // more than half of it
     flat.box(box, isOn ? flat.colours().accent : option.palette.color(QPalette::Base),
-             flat.focused() ? flat.colours().ring : flat.colours().edge, round, flat.focused() ? 2.0 : 1.0);
+             flat.focused() ? flat.colours().ring : flat.colours().edge, round,
+             flat.focused() ? ControlPainter::kRing_px : 1.0);
     const double in = 0.31 * box.width();
     if (isOn)
         flat.box(box.adjusted(in, in, -in, -in), flat.colours().onAccent, {}, round);
@@ -90,11 +92,10 @@ void drawSlider(const QStyleOptionSlider& option, QPainter& painter, const QRect
     flat.box(way, mark, {});
     const double side = std::min({handle.width(), handle.height(), flat.px(kGroup)});
     const QRectF knob(middle.x() - 0.5 * side, middle.y() - 0.5 * side, side, side);
-    const QColor fill =
-        flat.under() || flat.pressed() ? mixed(mark, option.palette.color(QPalette::WindowText), 0.15) : mark;
-    flat.box(knob, fill, option.palette.color(QPalette::Base), side, 2.0);
+    flat.box(knob, flat.filled(mark), option.palette.color(QPalette::Base), side, ControlPainter::kRing_px);
     if (flat.focused())
-        flat.box(knob, {}, option.palette.color(QPalette::Active, QPalette::WindowText), side, 2.0);
+        flat.box(knob, {}, option.palette.color(QPalette::Active, QPalette::WindowText), side,
+                 ControlPainter::kRing_px);
 }
 
 void drawTab(const QStyleOptionTab& option, QPainter& painter) {
@@ -103,28 +104,13 @@ void drawTab(const QStyleOptionTab& option, QPainter& painter) {
     const QRectF rect(option.rect);
     if (!isChosen && flat.under())
         flat.box(rect, flat.colours().hover, {});
-    const double thick = flat.px(kStripe);
-    QRectF mark = rect;
-    switch (option.shape) {
-    case QTabBar::RoundedWest:
-    case QTabBar::TriangularWest:
-        mark.setLeft(rect.right() - thick);
-        break;
-    case QTabBar::RoundedEast:
-    case QTabBar::TriangularEast:
-        mark.setRight(rect.left() + thick);
-        break;
-    case QTabBar::RoundedSouth:
-    case QTabBar::TriangularSouth:
-        mark.setBottom(rect.top() + thick);
-        break;
-    default:
-        mark.setTop(rect.bottom() - thick);
-    }
+    QRectF mark = rect; // tabs are above what they choose
+    mark.setTop(rect.bottom() - flat.px(kStripe));
     if (isChosen)
         painter.fillRect(mark, flat.enabled() ? flat.colours().ring : flat.colours().edge);
     if (flat.focused() && isChosen)
-        flat.box(rect.adjusted(1, 1, -1, -1), {}, flat.colours().ring, kControlRadius, 2.0);
+        flat.box(rect.adjusted(1, 1, -1, -1), {}, flat.colours().ring, kControlRadius,
+                 ControlPainter::kRing_px);
 }
 
 } // namespace
@@ -168,7 +154,7 @@ void ConsoleStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
         if (ground.isValid() || isOutlined)
             flat.box(option->rect, ground, isOutlined ? flat.colours().edge : QColor());
         if (flat.focused())
-            flat.box(option->rect, {}, flat.colours().ring, kControlRadius, 2.0);
+            flat.box(option->rect, {}, flat.colours().ring, kControlRadius, ControlPainter::kRing_px);
         return;
     }
     case PE_FrameFocusRect: {

@@ -9,9 +9,11 @@ namespace teleta::base {
 
 namespace {
 
-constexpr double kRing_px = 2.0;
 constexpr double kMark_px = 1.6;
 constexpr double kChevronGrids = 0.5; ///< half its width
+// Shares of black in what is filled.
+constexpr double kUnderBlack = 0.12;
+constexpr double kPressedBlack = 0.25;
 
 } // namespace
 
@@ -43,26 +45,26 @@ void ControlPainter::field(const QRectF& rect) {
     box(rect, ground, isUsed ? m_colours.ring : m_colours.edge, kControlRadius, isUsed ? kRing_px : 1.0);
 }
 
-void ControlPainter::button(bool filled, bool on) {
+void ControlPainter::button(bool isFilled, bool isOn) {
     const QRectF rect(m_option.rect);
-    const QColor text = m_option.palette.color(QPalette::Active, QPalette::WindowText);
-    if (filled) {
-        QColor ground = m_colours.accent;
-        if (pressed())
-            ground = mixed(ground, text, 0.25);
-        else if (under())
-            ground = mixed(ground, text, 0.12);
-        box(rect, ground, {});
+    if (isFilled) {
+        box(rect, filled(m_colours.accent), {});
     } else {
         QColor ground = m_option.palette.color(enabled() ? QPalette::Base : QPalette::Window);
-        if (pressed() || on)
+        if (pressed() || isOn)
             ground = m_colours.pressed;
         else if (under())
-            ground = mixed(ground, text, 0.08);
-        box(rect, ground, on && enabled() ? m_colours.ring : m_colours.edge);
+            ground = mixed(ground, m_option.palette.color(QPalette::Active, QPalette::WindowText), 0.08);
+        box(rect, ground, isOn && enabled() ? m_colours.ring : m_colours.edge);
     }
     if (focused())
         ring(rect);
+}
+
+QColor ControlPainter::filled(const QColor& ground) const {
+    return pressed() ? mixed(ground, Qt::black, kPressedBlack)
+           : under() ? mixed(ground, Qt::black, kUnderBlack)
+                     : ground;
 }
 
 void ControlPainter::ring(const QRectF& rect, double radius) {

@@ -13,6 +13,8 @@ namespace teleta::base {
 /// Leaves the painter as it was. Thread: GUI.
 class ControlPainter {
 public:
+    static constexpr double kRing_px = 2.0; ///< around what has the focus
+
     ControlPainter(QPainter& painter, const QStyleOption& option);
     ~ControlPainter();
     ControlPainter(const ControlPainter&) = delete;
@@ -33,10 +35,13 @@ public:
     /// A rounded box with an edge; an invalid colour leaves out its part.
     void box(const QRectF& rect, const QColor& ground, const QColor& edge, double radius = kControlRadius,
              double width_px = 1.0);
+    /// The ground of a part that is filled: darker under the mouse and while it is pressed, so that white
+    /// text on it can be read.
+    [[nodiscard]] QColor filled(const QColor& ground) const;
     /// A field for text or a number: the edge of one that has the focus is the accent.
     void field(const QRectF& rect);
     /// A push button; a filled one is that which the view is for.
-    void button(bool filled, bool on);
+    void button(bool isFilled, bool isOn);
     void ring(const QRectF& rect, double radius = kControlRadius);
     void tick(const QRectF& box, const QColor& ink);
     void chevron(const QRectF& rect, Qt::ArrowType way, const QColor& ink);

@@ -130,7 +130,7 @@ QString StepList::stateText(int step) const {
     const StepReading& reading = this->reading(step);
     switch (reading.state) {
     case StepState::running:
-        return reading.of > 1 ? tr("%1 of %2 running").arg(reading.number).arg(reading.of) : tr("running");
+        return reading.of > 1 ? tr("running: %1 of %2").arg(reading.number).arg(reading.of) : tr("running");
     case StepState::notSaved:
         return tr("not saved", "a calibration");
     case StepState::done:

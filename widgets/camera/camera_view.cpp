@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/camera/camera_view.h"
 
-#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 
 #include <QKeyEvent>
@@ -22,11 +21,6 @@ constexpr double kCameraZoomStep = 1.25;
 CameraView::CameraView(QWidget* parent)
     : PictureView(parent, {40, 30}, {14, 10}) {
     base::keepTranslated(this, &CameraView::retranslate);
-}
-
-void CameraView::setProvenance(base::Provenance provenance) {
-    PictureView::setProvenance(provenance);
-    base::showProvenance(this, provenance);
 }
 
 void CameraView::setSnapshot(const pipeline::CameraSnapshot* snapshot) {

@@ -18,8 +18,6 @@ public:
 
     explicit CameraView(QWidget* parent = nullptr);
 
-    void setProvenance(base::Provenance provenance);
-
     /// Shows the newest snapshot unless the picture is frozen; null clears.
     void setSnapshot(const pipeline::CameraSnapshot* snapshot);
     void setArrowsShown(bool shown);

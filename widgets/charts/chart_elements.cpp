@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/chart_elements.h"
 
-#include "widgets/base/controls/badge.h"
 #include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
@@ -42,21 +41,15 @@ void ValuePanel::draw(QCPPainter* painter) {
     }
 }
 
-void HeaderElement::setInk(const QFont& font, const QColor& text, const QColor& badge) {
+void HeaderElement::setInk(const QFont& font, const QColor& text, const QPalette& palette) {
     m_font = font;
     m_ink = text;
-    m_badgeColour = badge;
+    m_palette = palette;
 }
 
 void HeaderElement::draw(QCPPainter* painter) {
-    QRectF area = rect();
     painter->setFont(m_font);
-    if (!m_badge.isEmpty() && !base::paintsScreen(*painter)) {
-        const QSizeF size = base::badgeSize(m_font, m_badge);
-        const QRectF box(QPointF(area.right() - size.width(), area.center().y() - 0.5 * size.height()), size);
-        base::paintBadge(*painter, box, m_badge, m_badgeColour);
-        area.setRight(box.left());
-    }
+    const QRectF area = base::paintProvenance(*painter, rect(), m_provenance, m_palette, 0.0);
     painter->setPen(m_ink);
     base::drawTabularText(*painter, area, Qt::AlignLeft | Qt::AlignVCenter, m_text);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/controls/badge.h"
+
 #include <QColor>
 #include <qcustomplot.h>
 #include <QPalette>
@@ -48,17 +50,20 @@ public:
 
     void setText(const QString& text) { m_text = text; }
     [[nodiscard]] const QString& text() const { return m_text; }
-    void setBadge(const QString& text) { m_badge = text; }
-    void setInk(const QFont& font, const QColor& text, const QColor& badge);
+    void setProvenance(base::Provenance provenance) { m_provenance = provenance; }
+    /// palette: of the badge.
+    void setInk(const QFont& font, const QColor& text, const QPalette& palette);
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter*) const override {}
     void draw(QCPPainter* painter) override;
 
 private:
-    QString m_text, m_badge;
+    QString m_text;
+    base::Provenance m_provenance = base::Provenance::live;
     QFont m_font;
-    QColor m_ink, m_badgeColour;
+    QColor m_ink;
+    QPalette m_palette;
 };
 
 /// A vertical line through all strips, at a time relative to the right edge.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/feature_history.h"
 
-#include "widgets/base/numbers/column_unit.h"
+#include "backend/core/data/column_unit.h"
 #include "widgets/base/numbers/quantity_text.h"
 
 #include <array>
@@ -51,7 +51,7 @@ QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_
     auto csv =
         QStringLiteral("time_s,contact_type,force_%1,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
                        "alpha_z_rad,lambda1_m2,lambda2_m2,active\n")
-            .arg(base::columnUnit(loadUnit));
+            .arg(QString::fromStdString(core::columnUnit(loadUnit.toStdString())));
     for (std::size_t i = first; i < last; ++i) {
         csv += base::csvNumber(history.sourceTime_s(i)) + QLatin1Char(',') +
                QLatin1String(contact::toString(history.type(i)));

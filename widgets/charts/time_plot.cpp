@@ -161,8 +161,7 @@ void TimePlot::setColours(const QPalette& palette) {
     m_colours = palette;
     setBackground(QBrush(palette.color(QPalette::Base)));
     const QColor text = palette.color(QPalette::Text);
-    m_header->setInk(font(), base::mixed(text, palette.color(QPalette::Base), 0.2),
-                     base::statusColours(palette).simulated);
+    m_header->setInk(font(), base::mixed(text, palette.color(QPalette::Base), 0.2), palette);
     m_jumps->setPen(QPen(palette.color(QPalette::PlaceholderText), 1.0, Qt::DotLine));
     m_cursor->setPen(QPen(text, 1.0));
     colourExtras(palette);
@@ -172,7 +171,7 @@ void TimePlot::setColours(const QPalette& palette) {
 }
 
 void TimePlot::setProvenance(base::Provenance provenance) {
-    m_header->setBadge(base::provenanceText(provenance));
+    m_header->setProvenance(provenance);
 }
 
 void TimePlot::setFixedLaneRange(LaneId lane, std::optional<ValueRange> range) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/demo_card.h"
 
+#include "widgets/base/control_painter.h"
 #include "widgets/base/mnemonics.h"
 #include "widgets/base/theme.h"
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QStyleOption>
 #include <QTextLayout>
-
-#include <algorithm>
 
 namespace teleta::chrome {
 
@@ -70,20 +70,20 @@ QSize DemoCard::minimumSizeHint() const {
 
 void DemoCard::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-    const base::ControlColours colours = base::controlColours(palette(), isEnabled());
-    const double radius = base::grid(this, base::kCardRadius);
-    const double margin = base::grid(this, 0.5);
-    const QRectF card = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-    painter.setPen(QPen(underMouse() ? colours.edge : colours.faint, 1.0));
-    painter.setBrush(isDown() ? QBrush(colours.pressed) : QBrush(palette().color(QPalette::Base)));
-    painter.drawRoundedRect(card, radius, radius);
-    if (hasFocus()) {
-        painter.setPen(QPen(colours.ring, 2.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
-    }
+    QStyleOption option;
+    option.initFrom(this);
+    option.state.setFlag(QStyle::State_Sunken, isDown());
+    base::ControlPainter flat(painter, option);
+    const base::ControlColours& colours = flat.colours();
+    const QRectF card(rect());
+    flat.box(card, flat.pressed() ? colours.pressed : palette().color(QPalette::Base),
+             flat.under() ? colours.edge : colours.faint, base::kCardRadius);
+    if (flat.focused())
+        flat.box(card, {}, colours.ring, base::kCardRadius, base::ControlPainter::kRing_px);
 
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const double radius = flat.px(base::kCardRadius);
+    const double margin = flat.px(base::kTight);
     const QRectF picture(card.left() + margin, card.top() + margin, base::em(this, kPicture_em.width()),
                          card.height() - 2.0 * margin);
     QPainterPath rounded;

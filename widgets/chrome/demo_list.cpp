@@ -58,8 +58,7 @@ void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
     for (const Group& group : m_groups)
         delete group.box;
     m_groups.clear();
-    QHash<QString, DemoCard*> before;
-    before.swap(m_cards);
+    m_cards.clear();
     QString name;
     for (const SourceChooser::Demo& demo : demos) {
         if (m_groups.empty() || demo.group != name) {

@@ -68,6 +68,7 @@ void SourceChooser::setSources(const std::vector<Source>& sources, std::uint64_t
         }
     }
     m_badge->setProvenance(shown);
+    m_box->setAccessibleDescription(base::provenanceText(shown)); // the closed box does not speak its item's
     m_box->setEnabled(!sources.empty());
     m_close->setEnabled(!sources.empty());
     if (sources.empty())

@@ -100,6 +100,7 @@ PatternLibrary::PatternLibrary(QWidget* parent)
 
 void PatternLibrary::setOwn(std::vector<OwnPattern> own) {
     m_own = std::move(own);
+    m_pictures.clear();
     fill();
 }
 
@@ -136,7 +137,7 @@ void PatternLibrary::fill() {
         tr("<p>A click or <b>Enter</b> opens a pattern. Built-in patterns cannot be changed: the first "
            "edit creates a copy. Your own patterns: <b>F2</b> renames, <b>Ctrl+D</b> duplicates, "
            "<b>Delete</b> deletes, <b>Ctrl+Z</b> undoes that.</p>");
-    m_tree->setWhatsThis(keys + tr("<p>The pattern in bold, with a sign in front of it, is open in the "
+    m_tree->setWhatsThis(keys + tr("<p>The pattern in bold, with a bar in front of it, is open in the "
                                    "editor; keys act on the highlighted one.</p>"));
     const QSignalBlocker quiet(m_tree);
     const QString selected = currentKey();
@@ -161,7 +162,7 @@ void PatternLibrary::fill() {
                       QStringLiteral("%1 %2 %3")
                           .arg(displayName(pattern), QString::fromStdString(pattern.name),
                                QString::fromStdString(pattern.id)));
-        item->setIcon(0, pictureOf(pattern, m_current == QString::fromStdString(pattern.id)));
+        item->setIcon(0, pictureOf(QString::fromStdString(pattern.id), pattern));
         item->setForeground(1, palette().color(QPalette::PlaceholderText));
         item->setToolTip(0, QString::fromStdString(pattern.id));
     }
@@ -206,7 +207,7 @@ void PatternLibrary::addOwn(QTreeWidgetItem* group, const OwnPattern& own) {
         item->setForeground(1, base::statusColours(palette()).lost);
         lines << own.problem;
     } else if (own.pattern != nullptr) {
-        item->setIcon(0, pictureOf(*own.pattern, m_current == own.path));
+        item->setIcon(0, pictureOf(own.path, *own.pattern));
     }
     if (own.problem.isEmpty() && own.renamable) {
         item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -220,9 +221,17 @@ void PatternLibrary::addOwn(QTreeWidgetItem* group, const OwnPattern& own) {
         item->setToolTip(column, lines.join(QLatin1Char('\n')));
 }
 
-QIcon PatternLibrary::pictureOf(const Pattern& pattern, bool isOpen) const {
+QIcon PatternLibrary::pictureOf(const QString& key, const Pattern& pattern) {
     const QSize size = m_tree->iconSize();
     const double scale = devicePixelRatioF();
+    if (const PictureStyle style{size, scale, palette().cacheKey()}; style != m_pictureStyle) {
+        m_pictureStyle = style;
+        m_pictures.clear();
+    }
+    const bool isOpen = m_current == key;
+    QIcon& icon = m_pictures[{key, isOpen}];
+    if (!icon.isNull())
+        return icon;
     QPixmap picture(QSizeF(QSizeF(size) * scale).toSize());
     picture.setDevicePixelRatio(scale);
     picture.fill(Qt::transparent);
@@ -234,7 +243,6 @@ QIcon PatternLibrary::pictureOf(const Pattern& pattern, bool isOpen) const {
     if (isOpen)
         painter.fillRect(QRectF(0.0, 0.5 * bar, bar, room.height()), palette().color(QPalette::Link));
     painter.end();
-    QIcon icon;
     for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) // not tinted in a selected row
         icon.addPixmap(picture, mode);
     return icon;

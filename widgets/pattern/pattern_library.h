@@ -8,12 +8,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <QTreeWidget>
 #include <QWidget>
 
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class QTreeWidgetItem;
@@ -41,7 +44,7 @@ public:
     explicit PatternLibrary(QWidget* parent = nullptr);
 
     void setOwn(std::vector<OwnPattern> own);
-    /// Marks the open pattern by a sign and bold letters, and selects it as soon as it is in the list.
+    /// Marks the open pattern by a bar and bold letters, and selects it as soon as it is in the list.
     /// idOrPath: id of a built-in pattern, or a path.
     void setCurrent(const QString& idOrPath);
     /// Shows a line below the list about the last change, with a button that undoes it.
@@ -60,10 +63,18 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// What all pictures depend on.
+    struct PictureStyle {
+        QSize size;
+        double scale = 0.0;
+        qint64 palette = 0;
+        bool operator==(const PictureStyle&) const = default;
+    };
+
     void fill();
     void addOwn(QTreeWidgetItem* group, const OwnPattern& own);
-    /// A small picture of a pattern; the open one has a bar in front.
-    [[nodiscard]] QIcon pictureOf(const Pattern& pattern, bool isOpen) const;
+    /// A small picture of a pattern, drawn once; the open one has a bar in front.
+    [[nodiscard]] QIcon pictureOf(const QString& key, const Pattern& pattern);
     void applyFilter();
     void showMenu(const QPoint& at);
     void rename(const QString& key);
@@ -74,6 +85,8 @@ private:
     QTreeWidget* m_tree = new QTreeWidget(this);
     QLabel* m_notice = new QLabel(this);
     QPushButton* m_undo = base::named<QPushButton>("undo", this);
+    PictureStyle m_pictureStyle;
+    std::map<std::pair<QString, bool>, QIcon> m_pictures; ///< by key, and whether it is open
     std::vector<OwnPattern> m_own;
     QString m_current;
     QString m_wanted; ///< to be selected; empty: keep the selection

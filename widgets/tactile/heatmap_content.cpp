@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/heatmap_content.h"
 
-#include "widgets/base/numbers/column_unit.h"
+#include "backend/core/data/column_unit.h"
 #include "widgets/base/numbers/number_format.h"
 
 #include <QCoreApplication>
@@ -47,8 +47,8 @@ QString taxelText(const HeatmapContent& content, const Taxel& taxel) {
 
 QString frameCsv(const HeatmapContent& content) {
     const core::ArrayLayout& layout = content.snapshot.layout;
-    QString csv =
-        QStringLiteral("row,column,x_m,y_m,load_%1,dead,contact_id\n").arg(base::columnUnit(content.unit()));
+    QString csv = QStringLiteral("row,column,x_m,y_m,load_%1,dead,contact_id\n")
+                      .arg(QString::fromStdString(core::columnUnit(content.unit().toStdString())));
     if (!content.valid)
         return csv;
     constexpr int kDoubleDigits = 15;

@@ -190,15 +190,9 @@ void ContourPicture::paintShape(QPainter& painter, const QRectF& plot, const QTr
 
 void ContourPicture::paintHead(QPainter& painter, const QSizeF& size, const QPalette& palette) const {
     const double em = QFontMetricsF(font).height();
-    QRectF head(0.5 * em, 0.3 * em, size.width() - em, 1.5 * em);
-    const QString badge = base::provenanceText(provenance);
     painter.setFont(font);
-    if (!badge.isEmpty() && !base::paintsScreen(painter)) {
-        const QSizeF room = base::badgeSize(font, badge);
-        base::paintBadge(painter, QRectF(QPointF(head.right() - room.width(), head.top()), room), badge,
-                         base::provenanceColour(provenance, palette));
-        head.setRight(head.right() - room.width() - 0.5 * em);
-    }
+    const QRectF head = base::paintProvenance(
+        painter, QRectF(0.5 * em, 0.3 * em, size.width() - em, 1.5 * em), provenance, palette, 0.5 * em);
     const QFont large = base::sized(font, base::kLargeText);
     painter.setFont(large);
     painter.setPen(palette.color(contour.points_m.empty() ? QPalette::PlaceholderText : QPalette::Text));

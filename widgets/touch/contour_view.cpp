@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/contour_view.h"
 
-#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 
 #include <QMenu>
@@ -11,11 +10,6 @@ namespace teleta::touch {
 ContourView::ContourView(QWidget* parent)
     : PictureView(parent, {30, 20}, {14, 11}) {
     base::keepTranslated(this, &ContourView::retranslate);
-}
-
-void ContourView::setProvenance(base::Provenance provenance) {
-    PictureView::setProvenance(provenance);
-    base::showProvenance(this, provenance);
 }
 
 void ContourView::retranslate() {

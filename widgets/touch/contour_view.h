@@ -15,8 +15,6 @@ class ContourView : public base::PictureView<ContourPicture> {
 public:
     explicit ContourView(QWidget* parent = nullptr);
 
-    void setProvenance(base::Provenance provenance);
-
     void setContour(const pipeline::ExploredContour& contour);
     void clear();
 

@@ -37,7 +37,7 @@ QString quoted(const QString& text) {
 }
 
 QString sourceName(base::Provenance provenance) {
-    static constexpr std::array kNames{"live", "recorded", "simulated", "recorded_simulation"};
+    static constexpr std::array kNames{"live", "recorded", "recorded_simulation", "simulated"};
     return QString::fromLatin1(kNames[static_cast<std::size_t>(provenance)]);
 }
 

@@ -17,7 +17,7 @@ class QTableView;
 
 namespace teleta::touch {
 
-/// A table under a line with its count and provenance; an empty table shows a hint. Ctrl+C copies, the
+/// A table under a line with its count; an empty table shows a hint. Ctrl+C copies, the
 /// context menu offers the rest. Thread: GUI.
 class SheetView : public QWidget {
     Q_OBJECT

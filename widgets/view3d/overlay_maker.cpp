@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/overlay_maker.h"
 
-#include "widgets/base/numbers/column_unit.h"
+#include "backend/core/data/column_unit.h"
 
 #include <QLocale>
 
@@ -160,7 +160,7 @@ QString wordsFor(const contact::Contact& contact, const QString& unit) {
 
 QString contactRows(const TouchScene& scene) {
     QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_%1,peak_%1,area_m2\n")
-                       .arg(base::columnUnit(QString::fromStdString(scene.snapshot().loadUnit)));
+                       .arg(QString::fromStdString(core::columnUnit(scene.snapshot().loadUnit)));
     for (const ContactMark& mark : scene.marks()) {
         const contact::Contact& c = mark.contact;
         QStringList row = {QString::number(scene.snapshot().sourceTime_s, 'g', 12), QString::number(c.id)};

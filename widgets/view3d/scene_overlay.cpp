@@ -52,12 +52,12 @@ public:
 
 private:
     void paintBadge() {
-        const QString text = base::provenanceText(m_content.provenance);
-        if (text.isEmpty() || base::paintsScreen(m_painter))
-            return;
-        const QRectF rect(QPointF(m_margin, m_margin), base::badgeSize(m_content.font, text));
         m_painter.setFont(m_content.font);
-        base::paintBadge(m_painter, rect, text, m_content.colours.simulated);
+        // At the left: the colour bar is at the right.
+        const QRectF corner(QPointF(m_margin, m_margin),
+                            base::badgeSize(m_content.font, base::provenanceText(m_content.provenance)));
+        base::paintProvenance(m_painter, corner, m_content.provenance,
+                              base::designedPalette(m_content.colours.dark), 0.0);
         m_painter.setFont(m_font);
     }
 

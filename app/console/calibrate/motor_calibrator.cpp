@@ -237,6 +237,7 @@ void MotorCalibrator::load(const QString& path) {
                         .arg(QString::fromStdString(read->bracelet), QString::fromStdString(serial)));
                 return;
             }
+            m_failed = false;
             m_view->takeProfile(*read);
         });
 }

@@ -4,6 +4,7 @@
 #include "widgets/base/theme.h"
 
 #include <QChildEvent>
+#include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -45,11 +46,8 @@ QDockWidget* DockTabs::dockAt(const QTabBar& tabs, int tab) const {
 }
 
 void DockTabs::adopt(QTabBar* tabs) {
-    tabs->setContextMenuPolicy(Qt::CustomContextMenu);
     tabs->setElideMode(Qt::ElideRight);
     tabs->installEventFilter(this);
-    connect(tabs, &QWidget::customContextMenuRequested, this,
-            [this, tabs](const QPoint& place) { openMenu(*tabs, place); });
     connect(tabs, &QTabBar::tabBarDoubleClicked, this, [this, tabs](int tab) {
         if (QDockWidget* dock = dockAt(*tabs, tab))
             emit maximiseRequested(dock);
@@ -106,6 +104,14 @@ bool DockTabs::eventFilter(QObject* watched, QEvent* event) {
     auto* tabs = qobject_cast<QTabBar*>(watched);
     if (tabs == nullptr)
         return false;
+    if (event->type() == QEvent::ContextMenu) {
+        // One from the keyboard is for the tab that is shown, wherever the mouse or the input is.
+        const auto* menu = static_cast<QContextMenuEvent*>(event);
+        openMenu(*tabs, menu->reason() == QContextMenuEvent::Keyboard
+                            ? tabs->tabRect(tabs->currentIndex()).center()
+                            : menu->pos());
+        return true;
+    }
     if (event->type() == QEvent::MouseButtonPress) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         m_pressed = mouse->button() == Qt::LeftButton

@@ -455,6 +455,7 @@ void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos
     m_demoPaths.clear();
     for (const chrome::SourceChooser::Demo& demo : demos)
         m_demoPaths << demo.path;
+    m_askedFor.reset();
     m_askForPictures.start();
 }
 
@@ -462,13 +463,23 @@ void OperatePage::requestPictures() {
     if (!m_empty->isVisible())
         return; // asked for again when it is shown
     const QSizeF size = QSizeF(chrome::DemoCard::kPicture_em) * base::em(this, 1) * devicePixelRatioF();
-    m_pictures->request(m_demoPaths, size.toSize(), palette());
+    const std::pair wanted(size.toSize(), palette());
+    if (m_askedFor != wanted) {
+        m_askedFor = wanted;
+        m_pictures->request(m_demoPaths, wanted.first, wanted.second);
+    }
     m_pictures->resume();
 }
 
 void OperatePage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     m_askForPictures.start();
+}
+
+void OperatePage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    m_askForPictures.stop();
+    m_pictures->pause();
 }
 
 void OperatePage::retranslate() {

@@ -14,6 +14,8 @@
 #include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/source_chooser.h"
 
+#include <QPalette>
+#include <QSize>
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
@@ -22,6 +24,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 class QStackedWidget;
@@ -91,6 +94,7 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void requestPictures();
@@ -127,6 +131,7 @@ private:
     StartPictures* m_pictures;
     QTimer m_askForPictures;
     QStringList m_demoPaths;
+    std::optional<std::pair<QSize, QPalette>> m_askedFor; ///< of the pictures, of these paths
     OperateDocks* m_docks;
     tactile::HeatmapView* m_heatmap;
     charts::StripChartView* m_charts;

@@ -6,7 +6,6 @@
 #include "widgets/signal/unit_text.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <set>
@@ -108,18 +107,17 @@ void PlotSignals::cancelReading() {
         if (std::ranges::find(m_reading, m_shown[i].what.id) != m_reading.end())
             unread.push_back(static_cast<int>(i));
     m_reading.clear();
-    remove(unread);
+    if (!unread.empty())
+        remove(unread);
+    else
+        emit changed(); // what was removed last can still be brought back
 }
 
 base::Provenance PlotSignals::provenance() const {
-    const auto rank = [](base::Provenance provenance) {
-        constexpr std::array kRanked{base::Provenance::live, base::Provenance::recorded,
-                                     base::Provenance::recordedSimulation, base::Provenance::simulated};
-        return std::ranges::find(kRanked, provenance) - kRanked.begin();
-    };
-    const auto strongest =
-        std::ranges::max_element(m_shown, {}, [&](const Shown& each) { return rank(each.provenance); });
-    return strongest == m_shown.end() ? base::Provenance::live : strongest->provenance;
+    auto strongest = base::Provenance::live;
+    for (const Shown& each : m_shown)
+        strongest = std::max(strongest, each.provenance);
+    return strongest;
 }
 
 void PlotSignals::set(const std::vector<PlottedSignal>& plotted) {

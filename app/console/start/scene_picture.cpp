@@ -31,6 +31,10 @@ constexpr double kArmLongest_s = 30.0; ///< until something is touched
 constexpr double kArmAfter_s = 0.3;    ///< of the touch
 constexpr double kMargin = 0.08;       ///< of the picture
 
+core::Unexpected stopped() {
+    return core::Unexpected(core::Error{core::ErrorKind::cancelled, "The scene was stopped.", {}, {}});
+}
+
 QImage blank(const QSize& size, const QPalette& palette) {
     QImage image(size, QImage::Format_RGB32);
     image.fill(palette.color(QPalette::Base));
@@ -64,40 +68,54 @@ QImage pictureOf(std::span<const float> load_N, const core::ArrayLayout& layout,
     return image;
 }
 
-core::Expected<QImage> arrayPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette) {
+core::Expected<QImage> arrayPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
+                                    const std::stop_token& stop) {
     TELETA_TRY(const auto array, simulation::SimulatedArray::make(scene, kSeed));
     const core::ArrayLayout layout = array->description().layout;
     std::vector<float> load_N(layout.taxels());
-    while (array->time_s() < kArrayAt * scene.duration_s)
+    while (array->time_s() < kArrayAt * scene.duration_s) {
+        if (stop.stop_requested())
+            return stopped();
         array->next(load_N, false);
+    }
     return pictureOf(load_N, layout, size, palette);
 }
 
-core::Expected<QImage> servoPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette) {
+core::Expected<QImage> servoPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
+                                    const std::stop_token& stop) {
     TELETA_TRY(const auto loop, simulation::ServoLoop::make(scene, kSeed));
-    while (loop->world().time_s() < std::min(kServoTime_s, scene.duration_s))
+    while (loop->world().time_s() < std::min(kServoTime_s, scene.duration_s)) {
+        if (stop.stop_requested())
+            return stopped();
         loop->next();
+    }
     return pictureOf(loop->frame(), loop->world().layout(), size, palette);
 }
 
-core::Expected<QImage> cameraPicture(const scene::Scene& scene, const QSize& size) {
+core::Expected<QImage> cameraPicture(const scene::Scene& scene, const QSize& size,
+                                     const std::stop_token& stop) {
     TELETA_TRY(const auto tube, simulation::SimulatedTube::make(scene, kSeed));
     cv::Mat1b frame;
-    do
+    do {
+        if (stop.stop_requested())
+            return stopped();
         tube->next({}, frame);
-    while (tube->time_s() < std::min(kCameraTime_s, scene.duration_s));
+    } while (tube->time_s() < std::min(kCameraTime_s, scene.duration_s));
     const QImage image(frame.data, frame.cols, frame.rows, static_cast<qsizetype>(frame.step),
                        QImage::Format_Grayscale8);
     return image.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
         .convertToFormat(QImage::Format_RGB32);
 }
 
-core::Expected<QImage> armPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette) {
+core::Expected<QImage> armPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
+                                  const std::stop_token& stop) {
     TELETA_TRY(const auto arm, simulation::SimulatedArm::make(scene, kSeed));
     const core::ArmDescription description = arm->description();
     core::JointSample sample;
     double until_s = kArmLongest_s;
     while (arm->time_s() < until_s && !arm->programDone()) {
+        if (stop.stop_requested())
+            return stopped();
         arm->next({.drive = core::ArmDrive::program}, sample);
         if (until_s == kArmLongest_s && !arm->truth().contacts.empty())
             until_s = arm->time_s() + kArmAfter_s;
@@ -176,14 +194,15 @@ core::Expected<QImage> armPicture(const scene::Scene& scene, const QSize& size, 
 
 } // namespace
 
-core::Expected<QImage> scenePicture(const scene::Scene& scene, const QSize& size, const QPalette& palette) {
+core::Expected<QImage> scenePicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
+                                    const std::stop_token& stop) {
     if (scene.isArm())
-        return armPicture(scene, size, palette);
+        return armPicture(scene, size, palette, stop);
     if (scene.isServo())
-        return servoPicture(scene, size, palette);
+        return servoPicture(scene, size, palette, stop);
     if (scene.isCamera())
-        return cameraPicture(scene, size);
-    return arrayPicture(scene, size, palette);
+        return cameraPicture(scene, size, stop);
+    return arrayPicture(scene, size, palette, stop);
 }
 
 } // namespace teleta::console

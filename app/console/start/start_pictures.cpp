@@ -6,6 +6,7 @@
 #include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QSaveFile>
@@ -16,39 +17,48 @@ namespace teleta::console {
 
 namespace {
 
-/// Of the way in which pictures are made: kept ones of another version are not used.
+/// Counts changes of how pictures are made, between two versions of the program.
 constexpr int kVersion = 1;
 
 /// Name of a scene's picture: of its text and of how it is drawn.
 QString nameOf(const std::string& text, const QSize& size, bool dark) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(text));
-    hash.addData(QByteArray::number(kVersion) + 'x' + QByteArray::number(size.width()) + 'x' +
-                 QByteArray::number(size.height()) + (dark ? 'd' : 'l'));
+    // The program may simulate or draw differently in another version.
+    hash.addData(QCoreApplication::applicationVersion().toUtf8() + 'v' + QByteArray::number(kVersion) + 'x' +
+                 QByteArray::number(size.width()) + 'x' + QByteArray::number(size.height()) +
+                 (dark ? 'd' : 'l'));
     return QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png");
 }
 
-/// Null when the scene cannot be read or run.
-QImage keptOrMade(const QString& path, const QString& folder, const QSize& size, const QPalette& palette) {
+struct Made {
+    QImage picture; ///< null when the scene cannot be read or run
+    bool stopped = false;
+};
+
+Made keptOrMade(const QString& path, const QString& folder, const QSize& size, const QPalette& palette,
+                const std::stop_token& stop) {
+    if (stop.stop_requested())
+        return {.picture = {}, .stopped = true};
     const std::string file = path.toStdString();
     const QString kept =
         folder.isEmpty()
             ? QString()
             : QDir(folder).filePath(nameOf(app::readSceneText(file), size, base::isDark(palette)));
     if (QImage picture(kept); !kept.isEmpty() && !picture.isNull())
-        return picture;
+        return {picture};
     const auto scene = app::readScene(file);
     if (!scene)
         return {};
-    const auto picture = scenePicture(*scene, size, palette);
+    const auto picture = scenePicture(*scene, size, palette, stop);
     if (!picture)
-        return {};
+        return {.picture = {}, .stopped = picture.error().kind == core::ErrorKind::cancelled};
     if (!kept.isEmpty() && QDir().mkpath(folder)) {
         QSaveFile saved(kept);
         if (saved.open(QIODevice::WriteOnly) && picture->save(&saved, "PNG"))
             saved.commit();
     }
-    return *picture;
+    return {*picture};
 }
 
 } // namespace
@@ -57,11 +67,12 @@ StartPictures::StartPictures(QString folder, QObject* parent)
     : QObject(parent)
     , m_folder(std::move(folder)) {
     m_thread.setMaxThreadCount(1);
-    m_thread.setThreadPriority(QThread::LowestPriority);
+    // The others are of no effect among ordinary threads of Linux.
+    m_thread.setThreadPriority(QThread::IdlePriority);
 }
 
 StartPictures::~StartPictures() {
-    m_thread.clear();
+    m_stop.request_stop();
     m_thread.waitForDone();
 }
 
@@ -73,6 +84,11 @@ void StartPictures::request(const QStringList& paths, const QSize& size, const Q
     next();
 }
 
+void StartPictures::pause() {
+    m_paused = true;
+    m_stop.request_stop();
+}
+
 void StartPictures::resume() {
     m_paused = false;
     next();
@@ -82,16 +98,19 @@ void StartPictures::next() {
     if (m_paused || m_working || m_waiting.isEmpty() || m_size.isEmpty())
         return;
     m_working = true;
+    m_stop = std::stop_source();
     const QString path = m_waiting.takeFirst();
     base::runInBackground(
         m_thread, this,
-        [path, folder = m_folder, size = m_size, palette = m_palette] {
-            return keptOrMade(path, folder, size, palette);
+        [path, folder = m_folder, size = m_size, palette = m_palette, stop = m_stop.get_token()] {
+            return keptOrMade(path, folder, size, palette, stop);
         },
-        [this, path, request = m_request](const QImage& picture) {
+        [this, path, request = m_request](const Made& result) {
             m_working = false;
-            if (request == m_request && !picture.isNull())
-                emit made(path, picture);
+            if (request == m_request && result.stopped)
+                m_waiting.prepend(path);
+            else if (request == m_request && !result.picture.isNull())
+                emit made(path, result.picture);
             next();
         });
 }

@@ -8,24 +8,29 @@
 #include <QStringList>
 #include <QThreadPool>
 
+#include <cstdint>
+#include <stop_token>
+
 namespace teleta::console {
 
 /// Pictures of scenes for the start page: made by running the scenes, one after the other on a thread of
 /// their own, and kept in a folder, so that a scene is run once for each of its versions and for each theme.
-/// A picture that cannot be made or kept is left out: the page then shows an icon. Thread: GUI.
+/// A picture that cannot be made or kept is left out: the page then shows an icon. Thread: GUI; nothing waits
+/// for a whole scene.
 class StartPictures : public QObject {
     Q_OBJECT
 
 public:
     /// folder: of the pictures, made when it is needed; empty: none are kept.
     explicit StartPictures(QString folder, QObject* parent = nullptr);
-    /// Waits for the scene that is run.
+    /// Stops the scene that is run.
     ~StartPictures() override;
 
     /// Asks for the pictures of scenes (files or resources), in this order; forgets what was asked before.
     void request(const QStringList& paths, const QSize& size, const QPalette& palette);
-    /// Makes no further pictures until resume(): something else needs the processor.
-    void pause() { m_paused = true; }
+    /// Makes no pictures until resume(), since something else needs the processor: stops the scene that is
+    /// run, which is then run again.
+    void pause();
     void resume();
 
 signals:
@@ -39,6 +44,7 @@ private:
     QStringList m_waiting;
     QSize m_size;
     QPalette m_palette;
+    std::stop_source m_stop; ///< of the scene that is run
     bool m_paused = false;
     bool m_working = false;
     std::uint64_t m_request = 0;

@@ -121,4 +121,5 @@ TEST(SignalName, hasTheUnitOnce) {
     EXPECT_EQ(nameWithUnit("tau1", "Nm"), "tau1_nm");
     EXPECT_EQ(nameWithUnit("lower_95", "N/m"), "lower_95_n_per_m");
     EXPECT_EQ(nameWithUnit("active", ""), "active");
+    EXPECT_EQ(nameWithUnit("b_x", "\u00b5T"), "b_x_ut");
 }

@@ -120,6 +120,15 @@ private slots:
         auto filled = make<QPushButton>();
         filled->setDefault(true);
         textReads<QPushButton>(std::move(filled), "default button", buttonText);
+        for (const bool isPressed : {false, true}) {
+            auto used = make<QPushButton>();
+            used->setDefault(true);
+            used->setDown(isPressed);
+            used->setAttribute(Qt::WA_UnderMouse);
+            textReads<QPushButton>(std::move(used),
+                                   isPressed ? "pressed default button" : "default button under the mouse",
+                                   buttonText);
+        }
         auto on = make<QPushButton>();
         on->setCheckable(true);
         on->setChecked(true);
@@ -216,8 +225,7 @@ private slots:
         bar->setValue(0);
         before = pictureOf(*bar);
         bar->setValue(50);
-        // The groove is no mark; what is done stands out from it.
-        QVERIFY2(changed(before, pictureOf(*bar), 2.5) >= bar->width() / 4 * 8, "progress");
+        QVERIFY2(changed(before, pictureOf(*bar), kMark) >= bar->width() / 4 * 8, "progress");
 
         const auto scroll = make<QScrollBar>(Qt::Vertical);
         scroll->resize(20, 300);

@@ -56,7 +56,7 @@ private slots:
         m_list->setReading(0, {.state = StepState::toDo, .number = 2, .of = 6});
         QCOMPARE(spoken(0), QString("1. Motors: 2 of 6 done"));
         m_list->setReading(0, {.state = StepState::running, .number = 3, .of = 6, .share = 0.4});
-        QCOMPARE(spoken(0), QString("1. Motors: 3 of 6 running"));
+        QCOMPARE(spoken(0), QString("1. Motors: running: 3 of 6"));
         m_list->setReading(0, {.state = StepState::running, .number = 1, .of = 1});
         QCOMPARE(spoken(0), QString("1. Motors: running"));
         m_list->setReading(1, {.state = StepState::notSaved});

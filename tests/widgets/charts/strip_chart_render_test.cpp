@@ -238,23 +238,27 @@ private slots:
     }
 
     /// By a stripe on the screen, by the word in a picture that leaves the program.
-    void simulatedDataAreLabelledInViolet() {
+    void dataThatAreNotLiveAreLabelledInTheirColour() {
         Chart chart;
         chart.feed(0.0, 1.0);
-        const QRgb violet = base::statusColours(qApp->palette()).simulated.rgb();
-        const auto hasViolet = [&](const QImage& image) {
+        const base::StatusColours& colours = base::statusColours(qApp->palette());
+        const auto has = [&](const QImage& image, const QColor& colour) {
             for (int y = 0; y < 40; ++y)
                 for (int x = 0; x < image.width(); ++x)
-                    if (image.pixel(x, y) == violet)
+                    if (image.pixel(x, y) == colour.rgb())
                         return true;
             return false;
         };
+        const auto hasViolet = [&](const QImage& image) { return has(image, colours.simulated); };
         QVERIFY(!hasViolet(chart.saved()));
         QVERIFY(!hasViolet(chart.view.grab().toImage()));
         chart.view.setProvenance(base::Provenance::simulated);
         QVERIFY(hasViolet(chart.saved()));
         QVERIFY(!hasViolet(chart.draw()));
         QVERIFY(hasViolet(chart.view.grab().toImage()));
+        chart.view.setProvenance(base::Provenance::recorded);
+        QVERIFY(has(chart.saved(), colours.recorded));
+        QVERIFY(!hasViolet(chart.saved()));
     }
 
     void theBadgeSpeaksTheLanguageOfNow() {

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QTranslator>
 
 using teleta::base::Provenance;
 using teleta::chrome::SourceChooser;
@@ -27,10 +28,30 @@ private slots:
         QVERIFY(!badge->isHidden());
         QCOMPARE(badge->provenance(), Provenance::recorded); // of the source that is shown
         QCOMPARE(badge->accessibleName(), QString("RECORDED"));
+        QCOMPARE(box->accessibleDescription(), QString("RECORDED"));
         QSignalSpy choices(&chooser, &SourceChooser::sourceChosen);
         QTest::keyClick(box, Qt::Key_Up);
         QCOMPARE(choices.size(), 1);
         QCOMPARE(choices[0][0].toULongLong(), 7ULL);
+    }
+
+    void theClosedBoxSpeaksTheLanguageOfNow() {
+        SourceChooser chooser;
+        chooser.setSources({{7, "first", Provenance::simulated, false}}, 7);
+        const auto* box = chooser.findChild<QComboBox*>();
+        QCOMPARE(box->accessibleDescription(), QString("SIMULATED"));
+        struct French : QTranslator {
+            bool isEmpty() const override { return false; }
+            QString translate(const char*, const char* text, const char*, int) const override {
+                return QLatin1String(text) == QLatin1String("SIMULATED") ? QStringLiteral("SIMULATION")
+                                                                         : QString();
+            }
+        } translator;
+        QCoreApplication::installTranslator(&translator);
+        QTRY_COMPARE(box->accessibleDescription(), QString("SIMULATION"));
+        QCoreApplication::removeTranslator(&translator);
+        chooser.setSources({{7, "first", Provenance::live, false}}, 7);
+        QCOMPARE(box->accessibleDescription(), QString());
     }
 
     void saysThatThereIsNoSource() {

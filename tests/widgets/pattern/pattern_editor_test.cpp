@@ -235,6 +235,25 @@ private slots:
         QCOMPARE(editor.document()->undoStack()->count(), 2);
     }
 
+    void aPictureIsDrawnOnce() {
+        PatternLibrary library;
+        QTreeWidget* tree = treeOf(library);
+        const auto picture = [&](int pattern) {
+            return tree->topLevelItem(0)->child(pattern)->icon(0).cacheKey();
+        };
+        const qint64 first = picture(0);
+        const qint64 second = picture(1);
+        const QString key = tree->topLevelItem(0)->child(0)->toolTip(0);
+        library.setCurrent(key);
+        QVERIFY2(picture(0) != first, "with a bar");
+        QCOMPARE(picture(1), second);
+        library.setCurrent(QString());
+        QCOMPARE(picture(0), first);
+        base::applyTheme(base::ThemeChoice::dark);
+        QTRY_VERIFY(picture(1) != second);
+        base::applyTheme(base::ThemeChoice::light);
+    }
+
     void ownPatternsAreFoundByTagRenamedDeletedAndDamagedOnesSayWhy() {
         PatternLibrary library;
         library.setOwn({{"/p/wave.json", "Slow wave", 2.0, {"soft", "arm"}, "notes", {}, true},

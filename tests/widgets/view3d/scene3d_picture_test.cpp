@@ -14,6 +14,9 @@
 #include <QImage>
 #include <QTest>
 
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+
 #include <algorithm>
 #include <functional>
 #include <numbers>
@@ -218,11 +221,31 @@ private slots:
                                                              .arg(static_cast<int>(level))));
         }
         QVERIFY2(levels[1] != levels[0], "edges are smoothed");
+        QVERIFY2(levels[2] != levels[1], "corners are shaded");
         for (std::size_t level = 1; level < levels.size(); ++level) {
             const auto windows = likeness(greyOf(levels[level]), greyOf(levels[0]));
             const double mean = meanOf(windows.begin(), windows.end());
             QVERIFY2(mean >= 0.85, qPrintable(QStringLiteral("level %1: %2").arg(level).arg(mean)));
         }
+    }
+
+    void shadesReachAsFarAsTheSceneNeeds() {
+        Scene3dView view;
+        auto* vtk = view.findChild<view3d::VtkWidget*>();
+        vtk->setFixedSize(kView);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        showTouches(view);
+        QVERIFY(!pictureOf(view).isNull());
+        auto* window = static_cast<view3d::GuestRenderWindow*>(vtk->renderWindow());
+        window->setQuality(view3d::FrameQuality::Level::shaded);
+        const auto reach = [&] {
+            window->renderGuarded();
+            return window->GetRenderers()->GetFirstRenderer()->GetSSAORadius();
+        };
+        const double ofArray = reach();
+        showArm(view); // about ten times as large
+        QVERIFY2(reach() > 2.0 * ofArray, qPrintable(QString::number(reach() / ofArray)));
     }
 
     /// The measure sees what it is for.

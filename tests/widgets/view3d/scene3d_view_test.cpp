@@ -250,6 +250,8 @@ private slots:
         QVERIFY(countHue(copied(), violet) > 300);
         QCOMPARE(countHue(shown(stage.view), violet), 0);
         QCOMPARE(stage.view.grab().toImage().pixelColor(stage.view.width() / 2, 1), violet);
+        stage.view.setProvenance(base::Provenance::recorded);
+        QCOMPARE(countHue(copied(), violet), 0);
         stage.view.setProvenance(base::Provenance::live);
         QCOMPARE(countHue(copied(), violet), 0);
         QVERIFY(stage.view.grab().toImage().pixelColor(stage.view.width() / 2, 1) != violet);

@@ -14,8 +14,9 @@ class QPainter;
 namespace teleta::base {
 
 /// Where the data of a view come from. Every view of data that are not live says so: by a stripe on the
-/// screen, by a badge in a picture that leaves the program.
-enum class Provenance { live, recorded, simulated, recordedSimulation };
+/// screen, by a badge in a picture that leaves the program. Several data together are what the greatest of
+/// theirs says.
+enum class Provenance { live, recorded, recordedSimulation, simulated };
 
 /// "SIMULATED", "RECORDED", "RECORDED SIMULATION", translated; empty for live data.
 [[nodiscard]] QString provenanceText(Provenance provenance);

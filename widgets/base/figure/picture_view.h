@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/figure/figure_view.h"
 #include "widgets/base/theme.h"
 
@@ -10,17 +11,16 @@
 
 namespace teleta::base {
 
-enum class Provenance;
-
 /// A view of a picture. The picture is a value with a font and paint(QPainter&, const QSizeF&, const
 /// QPalette&), so that an exported figure keeps its own copy. Thread: GUI.
 template <typename Picture>
 class PictureView : public FigureView {
 public:
     [[nodiscard]] const Picture& picture() const { return m_picture; }
-    /// For a picture with a provenance.
+    /// For a picture with a provenance: a stripe on the screen, a badge in what leaves the program.
     void setProvenance(Provenance provenance) {
         m_picture.provenance = provenance;
+        showProvenance(this, provenance);
         update();
     }
 

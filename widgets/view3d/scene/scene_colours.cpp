@@ -27,7 +27,6 @@ SceneColours::SceneColours(const QPalette& palette)
     contourPoint = text;
     contourCurve = palette.color(QPalette::Link);
     contourVertex = status.stale;
-    simulated = status.simulated;
 }
 
 } // namespace teleta::view3d

@@ -28,7 +28,6 @@ struct SceneColours {
     QColor contourPoint;
     QColor contourCurve;
     QColor contourVertex;
-    QColor simulated;
 
     SceneColours() = default;
     explicit SceneColours(const QPalette& palette);

@@ -29,6 +29,17 @@ bool drawsInSoftware(const QOpenGLContext& context) {
     return renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("swrast");
 }
 
+/// The reach of ambient occlusion follows the size of the scene, which changes while it is shown.
+void fitShades(vtkRenderer& renderer) {
+    double box_m[6];
+    renderer.ComputeVisiblePropBounds(box_m);
+    const double size_m = std::hypot(box_m[1] - box_m[0], box_m[3] - box_m[2], box_m[5] - box_m[4]);
+    if (!std::isfinite(size_m) || !(size_m > 0.0))
+        return;
+    renderer.SetSSAORadius(kShadeReach * size_m);
+    renderer.SetSSAOBias(kShadeReach * kShadeBias * size_m);
+}
+
 } // namespace
 
 vtkStandardNewMacro(GuestRenderWindow);
@@ -70,13 +81,6 @@ void GuestRenderWindow::setQuality(FrameQuality::Level level) {
         renderer->SetUseSSAO(isShaded);
         renderer->SetSSAOBlur(true);
         renderer->SetSSAOKernelSize(kShadeSamples);
-        double box_m[6];
-        renderer->ComputeVisiblePropBounds(box_m);
-        const double size_m = std::hypot(box_m[1] - box_m[0], box_m[3] - box_m[2], box_m[5] - box_m[4]);
-        if (std::isfinite(size_m) && size_m > 0.0) {
-            renderer->SetSSAORadius(kShadeReach * size_m);
-            renderer->SetSSAOBias(kShadeReach * kShadeBias * size_m);
-        }
     }
 }
 
@@ -110,6 +114,8 @@ void GuestRenderWindow::renderGuarded() {
     while (vtkRenderer* renderer = GetRenderers()->GetNextRenderer(place)) {
         // A translucent background would be blended with the contents behind the widget.
         renderer->SetBackgroundAlpha(renderer->GetLayer() == 0 ? 1.0 : 0.0);
+        if (renderer->GetUseSSAO())
+            fitShades(*renderer);
     }
     vtkOpenGLState* state = GetState();
     state->Reset();

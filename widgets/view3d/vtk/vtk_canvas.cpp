@@ -203,10 +203,13 @@ QImage VtkCanvas::picture(double scale, bool withOverlay) {
     const double used = std::min(scale, fits);
     const QSize before = m_size;
     const double pixelScaleBefore = m_pixelScale;
+    const FrameQuality quality = m_quality; // the picture does not change how quick the frames are
     setDeviceSize(device * used, devicePixelRatio() * used);
     QImage image = finePicture();
     if (!before.isEmpty())
         setDeviceSize(before, pixelScaleBefore);
+    m_quality = quality;
+    m_window->setQuality(m_quality.level());
     requestRender();
     if (!image.isNull() && withOverlay && m_overlay) {
         QPainter painter(&image);

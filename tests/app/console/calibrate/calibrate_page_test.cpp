@@ -125,7 +125,7 @@ private slots:
     void stopEndsAMeasurementAndSaysSo() {
         QTest::mouseClick(test::part(view(), "measureAll"), Qt::LeftButton);
         QTRY_VERIFY(m_station->playingPosition_s().value_or(0.0) > 0.1);
-        QTRY_COMPARE(chip(0), QString("1 of 6 running"));
+        QTRY_COMPARE(chip(0), QString("running: 1 of 6"));
         m_stop.engage();
         QTRY_VERIFY_WITH_TIMEOUT(test::textOf(view(), "verdict").contains(QLatin1String("STOP")), 10'000);
         QVERIFY(!view().calibration().measured());
@@ -264,6 +264,14 @@ private slots:
         QTRY_COMPARE(troubles.size(), 1);
         QVERIFY(troubles[0][1].toString().contains(QLatin1String("TB-0042")));
         QCOMPARE(m_page->messages().count(), 1);
+    }
+
+    void aGoodProfileMendsAStepThatFailed() {
+        m_page->motors().openRecording(0, m_folder.filePath("none.csv"));
+        QTRY_COMPARE(chip(0), QString("failed"));
+        QVERIFY(motors::writeMotors(view().calibration(), m_folder.filePath("good.toml").toStdString()));
+        m_page->motors().load(m_folder.filePath("good.toml"));
+        QTRY_VERIFY(chip(0) != QString("failed"));
     }
 
     void aDamagedProfileIsReportedAndTheMotorsAreAssumed() {

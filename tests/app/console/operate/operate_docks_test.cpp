@@ -234,6 +234,25 @@ private slots:
         QTRY_VERIFY(d.charts()->titleBarWidget() == nullptr);
     }
 
+    void theMenuFromTheKeyboardIsThatOfTheTabThatIsShown() {
+        Docks d;
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        const auto [tabs, tab] = tabOf(d.docks, "marks");
+        QVERIFY(tabs->count() > 1);
+        tabs->setCurrentIndex(tab);
+        const QPoint elsewhere = tabs->tabRect(tab == 0 ? 1 : 0).center();
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, elsewhere, tabs->mapToGlobal(elsewhere));
+        QCoreApplication::sendEvent(tabs, &event);
+        auto* menu = d.docks.findChild<QMenu*>();
+        QVERIFY(menu != nullptr);
+        for (QAction* action : menu->actions())
+            if (action->text() == QLatin1String("&Close"))
+                action->trigger();
+        menu->close();
+        QVERIFY(d.docks.findChild<QDockWidget*>("marks")->isHidden());
+    }
+
     void theMenuOfATabFloatsAndClosesItsDock() {
         Docks d;
         d.docks.show();

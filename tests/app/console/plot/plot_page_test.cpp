@@ -267,6 +267,13 @@ private slots:
         QVERIFY(m_page->plotSignals().shown().front().raw != nullptr);
     }
 
+    void aReadingThatIsCancelledLateKeepsWhatWasRemoved() {
+        plotAngle();
+        m_page->plotSignals().remove({0});
+        m_page->plotSignals().cancelReading();
+        QVERIFY(m_page->plotSignals().canUndo());
+    }
+
     void whatIsInViewIsSavedWithUnits() {
         plotAngle();
         m_page->plot().setRange(0.1, 0.1095);

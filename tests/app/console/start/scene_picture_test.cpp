@@ -10,7 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
+#include <sched.h>
+#include <stop_token>
 
 using namespace teleta;
 using console::StartPictures;
@@ -112,15 +113,72 @@ private slots:
         QCOMPARE(QDir(kept).entryList(QDir::Files).size(), 3);
     }
 
+    void aPictureOfAnotherVersionIsNotUsed() {
+        const QTemporaryDir folder;
+        const QString before = QCoreApplication::applicationVersion();
+        for (const char* version : {"1.0.0", "1.0.1"}) {
+            QCoreApplication::setApplicationVersion(QLatin1String(version));
+            StartPictures pictures(folder.path());
+            QSignalSpy made(&pictures, &StartPictures::made);
+            pictures.request({":/scenes/servo-roll.toml"}, kSize, base::designedPalette(false));
+            QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, kPatience_ms);
+        }
+        QCoreApplication::setApplicationVersion(before);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 2);
+    }
+
     void nothingIsMadeDuringAPause() {
-        StartPictures pictures({});
+        const QTemporaryDir folder;
+        StartPictures pictures(folder.path());
         QSignalSpy made(&pictures, &StartPictures::made);
         pictures.pause();
         pictures.request({":/scenes/servo-roll.toml"}, kSize, base::designedPalette(false));
-        QCoreApplication::processEvents();
-        QCOMPARE(made.count(), 0);
+        pictures.request({":/scenes/tactile-two-contacts.toml"}, kSize, base::designedPalette(false));
         pictures.resume();
         QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, kPatience_ms);
+        QCOMPARE(made[0][0].toString(), QString(":/scenes/tactile-two-contacts.toml"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1); // the first was not run
+    }
+
+    void aPauseStopsASceneThatIsRunAgainLater() {
+        const QStringList scenes{":/scenes/servo-roll.toml", ":/scenes/tactile-two-contacts.toml"};
+        StartPictures pictures({});
+        QSignalSpy made(&pictures, &StartPictures::made);
+        pictures.request(scenes, kSize, base::designedPalette(false));
+        pictures.pause();
+        pictures.resume();
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 2, kPatience_ms);
+        QCOMPARE(made[0][0].toString(), scenes[0]);
+        QCOMPARE(made[1][0].toString(), scenes[1]);
+    }
+
+    void aSceneIsStoppedWhileItIsRun_data() {
+        QTest::addColumn<QString>("scene");
+        for (const char* scene : {"tactile-indenter", "servo-roll", "teleta-touch", "vtacarm-bump"})
+            QTest::newRow(scene) << scene;
+    }
+    void aSceneIsStoppedWhileItIsRun() {
+        QFETCH(QString, scene);
+        const auto read = app::readScene(":/scenes/" + scene.toStdString() + ".toml");
+        QVERIFY(read.has_value());
+        std::stop_source stop;
+        stop.request_stop();
+        const auto picture =
+            console::scenePicture(*read, kSize, base::designedPalette(true), stop.get_token());
+        QVERIFY(!picture.has_value());
+        QCOMPARE(picture.error().kind, core::ErrorKind::cancelled);
+    }
+
+    /// Linux runs its thread only when no other one wants the processor.
+    void theThreadIsIdle() {
+        StartPictures pictures({});
+        QSignalSpy made(&pictures, &StartPictures::made);
+        pictures.request({":/scenes/servo-roll.toml"}, kSize, base::designedPalette(false));
+        QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, kPatience_ms);
+        int idle = 0;
+        for (const QString& task : QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+            idle += sched_getscheduler(task.toInt()) == SCHED_IDLE ? 1 : 0;
+        QCOMPARE(idle, 1); // it waits for more work
     }
 };
 
