@@ -2,6 +2,7 @@
 #include "app/site/running_site.h"
 
 #include "app/common/version.h"
+#include "backend/core/device/device_state.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/joint_channel.h"
@@ -13,6 +14,7 @@
 #include <QDateTime>
 #include <QDir>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -46,6 +48,13 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
         };
     }
     return arm;
+}
+
+/// The state of a device as an arm that requires it sees it.
+core::DeviceState stateOf(pipeline::Channel& channel) {
+    const core::DeviceStatus status = channel.status();
+    return core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(),
+                               core::staleAfter_ns(channel.summary().nominalRate_Hz));
 }
 
 /// Why nothing comes of it; empty: it is live.
@@ -88,6 +97,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
         if (!device.channel)
             return core::Unexpected(device.error);
     }
+    TELETA_CHECK(site->checkRequired());
     TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
     std::vector<site_link::SiteArm> arms;
     for (const Device& device : site->m_devices) {
@@ -117,6 +127,7 @@ RunningSite::openForCheck(const SiteFile& file, SiteLog& log, const std::functio
 
 RunningSite::~RunningSite() {
     m_control.reset();
+    m_required->clear();
     for (const Device& device : m_devices) {
         if (!device.channel)
             continue;
@@ -131,7 +142,10 @@ RunningSite::~RunningSite() {
 core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::function<bool()>& cancelled) {
     std::vector<pipeline::ChannelKey> keys;
     for (const SiteDevice& device : file.devices) {
-        keys.push_back(m_pipeline.open(app::makeSourceFactory(device.request, m_stop, cancelled)));
+        app::SourceRequest request = device.request;
+        if (auto* arm = std::get_if<app::ArmRequest>(&request))
+            arm->required = m_required;
+        keys.push_back(m_pipeline.open(app::makeSourceFactory(std::move(request), m_stop, cancelled)));
         m_devices.push_back({device.id, nullptr, {}, {}});
     }
     for (std::size_t known = 0; known < keys.size();) {
@@ -142,11 +156,35 @@ core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::f
                 if (keys[i] != event.key)
                     continue;
                 m_devices[i].channel = event.channel;
+                if (event.channel)
+                    m_required->add(m_devices[i].id, [known = std::weak_ptr(event.channel)] {
+                        const auto channel = known.lock();
+                        return channel ? stateOf(*channel) : core::DeviceState::closed;
+                    });
                 m_devices[i].error = event.error;
                 ++known;
             }
         }
         std::this_thread::sleep_for(kOpenLook);
+    }
+    return {};
+}
+
+core::Expected<void> RunningSite::checkRequired() const {
+    for (const Device& device : m_devices) {
+        auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get());
+        const auto* arm =
+            joints == nullptr ? nullptr : dynamic_cast<const ros_arm::RosArm*>(&joints->device());
+        if (arm == nullptr)
+            continue;
+        for (const std::string& required : arm->file().required) {
+            if (std::ranges::find(m_devices, required, &Device::id) == m_devices.end())
+                return core::failed(
+                    core::ErrorKind::badInput,
+                    RunningSiteText::tr("%1 requires the device %2, which the site does not have")
+                        .arg(QString::fromStdString(device.id), QString::fromStdString(required)),
+                    RunningSiteText::tr("ids of the site's devices"));
+        }
     }
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include "app/site/site_file.h"
 #include "app/site/site_log.h"
+#include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/channel.h"
@@ -58,11 +59,14 @@ private:
     /// Error: cancelled.
     [[nodiscard]] core::Expected<void> openDevices(const SiteFile& file,
                                                    const std::function<bool()>& cancelled);
+    /// Error: badInput, an arm requires a device that the site does not have.
+    [[nodiscard]] core::Expected<void> checkRequired() const;
     [[nodiscard]] core::Expected<void> startRecording(const SiteFile& file, const std::string& folder);
     void tell(const site_link::SiteNews& news);
 
     SiteLog& m_log;
     core::StopSwitch m_stop; ///< of all devices
+    std::shared_ptr<core::RequiredDevices> m_required = std::make_shared<core::RequiredDevices>();
     pipeline::TouchPipeline m_pipeline;
     std::vector<Device> m_devices;
     std::shared_ptr<recording::Recorder> m_recorder;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sources/source_list.h"
 
+#include "app/sources/array_file.h"
 #include "backend/core/beside_file.h"
 #include "backend/core/keys/toml_keys.h"
 #include "devices/camera/camera_device.h"
 #include "devices/link/link_address.h"
-#include "devices/taxels/taxels_file.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -133,7 +133,8 @@ void describeArm(Keys& keys, const std::string& listPath, ArmRequest& request) {
 
 void describeTaxels(Keys& keys, const std::string& listPath, TaxelsRequest& request) {
     describePath(keys, "taxels", listPath, request.path,
-                 "File that describes an array (`kind = \"taxels\"`, `\"magnetometers\"` or `\"xela\"`)");
+                 "File that describes an array (`kind = \"taxels\"`, `\"magnetometers\"`, `\"xela\"` or "
+                 "`\"ros_tactile\"`)");
 }
 
 template <typename Request>
@@ -188,7 +189,7 @@ bool isOfKind(const core::TomlDocument& document, std::string_view kind) {
 }
 
 bool describesArray(const core::TomlDocument& document) {
-    return taxels::isArrayKind(document.root().text("kind", std::string()));
+    return isArrayFileKind(document.root().text("kind", std::string()));
 }
 
 bool hasKind(const std::string& path, std::string_view kind) {
@@ -216,7 +217,7 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     core::TomlTable root = document.root();
     std::vector<SourceRequest> requests;
     if (describesArray(document)) {
-        TELETA_CHECK(taxels::readTaxels(path));
+        TELETA_CHECK(readArrayFile(path));
         requests.emplace_back(TaxelsRequest{path});
         return requests;
     }

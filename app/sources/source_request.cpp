@@ -2,6 +2,7 @@
 #include "app/sources/source_request.h"
 
 #include "app/common/scene_file.h"
+#include "app/sources/array_file.h"
 #include "backend/core/data/array_guess.h"
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
@@ -20,6 +21,7 @@
 #include "devices/link/link_address.h"
 #include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
+#include "devices/ros/array/ros_array.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
@@ -139,7 +141,7 @@ core::Expected<Opened> openCamera(const CameraRequest& request, const core::Stop
 core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop,
                                   const std::function<bool()>& cancelled) {
     TELETA_TRY(const auto file, ros_arm::readRosArm(request.path));
-    TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, cancelled));
+    TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, cancelled, request.required));
     auto chain = arm->sharedChain();
     return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain));
 }
@@ -167,8 +169,17 @@ core::Expected<Opened> openWts(const WtsRequest& request) {
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
 }
 
+core::Expected<Opened> openRosArray(ros_array::RosArrayFile file) {
+    pipeline::ChannelSettings settings = settingsFor(file.threshold, file.unit);
+    TELETA_TRY(auto source, ros_array::RosArray::open(std::move(file)));
+    return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
+}
+
 core::Expected<Opened> openTaxels(const TaxelsRequest& request, const std::function<bool()>& cancelled) {
-    TELETA_TRY(auto file, taxels::readTaxels(request.path));
+    TELETA_TRY(auto described, readArrayFile(request.path));
+    if (auto* ros = std::get_if<ros_array::RosArrayFile>(&described))
+        return openRosArray(std::move(*ros));
+    auto& file = std::get<taxels::TaxelsFile>(described);
     pipeline::ChannelSettings settings = settingsFor(file.touchedFrom(), file.grid.unit());
     if (file.restFrames > 0) {
         TELETA_TRY(settings.conditioning.tare, taxels::measureRest(file, cancelled));

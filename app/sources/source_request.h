@@ -4,6 +4,7 @@
 #include "app/sources/recording_request.h"
 #include "app/sources/site_request.h"
 #include "backend/core/data/array_layout.h"
+#include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/touch_pipeline.h"
@@ -13,6 +14,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -58,12 +60,14 @@ struct CameraRequest {
 
 /// An array that a file describes.
 struct TaxelsRequest {
-    std::string path; ///< the file, see taxels::readTaxels()
+    std::string path; ///< the file, see readArrayFile()
 };
 
 /// An arm over ROS 2.
 struct ArmRequest {
     std::string path; ///< the file that describes it, see ros_arm::readRosArm()
+    /// The devices that the file may require; null: nobody knows them, and such a file is refused.
+    std::shared_ptr<const core::RequiredDevices> required = {};
 };
 
 using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest,

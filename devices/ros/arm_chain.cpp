@@ -88,7 +88,8 @@ core::Expected<std::vector<std::string>> wireNames(const RosArmFile& file,
     return names;
 }
 
-QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chain) {
+QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chain,
+                      const core::RequiredDevices* required) {
     QStringList found;
     for (std::size_t i = 0; i < chain.joints(); ++i) {
         if (!(chain.joint(i).fastest > 0.0))
@@ -108,7 +109,7 @@ QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chai
     if (file.effortContainsGravity && chain.linkWithoutMass())
         found << ArmChainText::tr("effort_contains_gravity needs the mass of every link; %1 has none")
                      .arg(QString::fromStdString(*chain.linkWithoutMass()));
-    if (!file.required.empty()) {
+    if (!file.required.empty() && required == nullptr) {
         QStringList devices;
         for (const std::string& device : file.required)
             devices << QString::fromStdString(device);
@@ -116,9 +117,15 @@ QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chai
                      "the file requires %1, which is not monitored when the arm is driven directly")
                      .arg(devices.join(QStringLiteral(", ")));
     }
-    if (file.limits.forceStop_N)
-        found << ArmChainText::tr("force_stop_N needs a force sensor at the wrist, which is not read when "
-                                  "the arm is driven directly");
+    if (file.limits.forceStop_N && !file.wrench)
+        found << ArmChainText::tr(
+            "force_stop_N needs a force sensor: wrench = \"FILE\" names the file of one");
+    if (file.wrench && !file.wrench->frame.empty() && !chain.model().findLink(file.wrench->frame))
+        found << ArmChainText::tr("the force sensor is in the frame %1, which the description does not have")
+                     .arg(QString::fromStdString(file.wrench->frame));
+    if (file.wrench && file.wrench->domain && *file.wrench->domain != file.domain)
+        found << ArmChainText::tr(
+            "the force sensor must be in the domain of the arm, over the same interface");
     return found;
 }
 

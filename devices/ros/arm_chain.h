@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/arm_model/serial_chain.h"
+#include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
 #include "devices/dds/participant.h"
 #include "devices/ros/ros_arm_file.h"
@@ -29,7 +30,9 @@ inline constexpr long long kDescriptionWait_ns = 5'000'000'000;
                                                                  const arm_model::SerialChain& chain);
 
 /// Why the arm of this file may not be moved from here, as translated sentences without a full stop; empty
-/// when it may. What the file demands is kept, or nothing moves.
-[[nodiscard]] QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chain);
+/// when it may. What the file demands is kept, or nothing moves. required: null when nobody knows the devices
+/// that the file requires.
+[[nodiscard]] QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chain,
+                                    const core::RequiredDevices* required = nullptr);
 
 } // namespace teleta::ros_arm

@@ -11,6 +11,7 @@
 #include "devices/dds/wait_set.h"
 #include "devices/ros/arm_chain.h"
 #include "devices/ros/joint_watch.h"
+#include "devices/ros/wrench_watch.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -122,6 +123,33 @@ void findEffort(Findings& findings, const RosArmFile& file, const ArmObservation
         findings.note("effort", ArmCheckText::tr("not reported"));
 }
 
+void findForce(Findings& findings, const RosArmFile& file, const ArmObservation& seen) {
+    if (!file.wrench || !seen.wrench)
+        return;
+    const QString topic = asText(file.wrench->topic);
+    const FindingLevel bad = file.limits.forceStop_N ? FindingLevel::problem : FindingLevel::note;
+    if (seen.wrench->messages == 0)
+        return findings.add("force", bad, ArmCheckText::tr("%1 reports no force").arg(topic));
+    if (!seen.wrench->unknownFrame.empty())
+        return findings.add(
+            "force", bad,
+            ArmCheckText::tr("%1 reports a force in the frame %2, which the description does not have")
+                .arg(topic, asText(seen.wrench->unknownFrame)));
+    const QString text =
+        ArmCheckText::tr("%1 messages a second, longest gap %2 s, at most %3 N")
+            .arg(shortNumber(static_cast<double>(seen.wrench->messages) / seen.time_s),
+                 shortNumber(seen.wrench->longestGap_s), shortNumber(seen.wrench->strongest_N));
+    if (seen.wrench->longestGap_s > file.wrench->timeout_s)
+        findings.add("force", bad,
+                     text + ArmCheckText::tr("; timeout_s is %1").arg(shortNumber(file.wrench->timeout_s)));
+    else if (file.limits.forceStop_N && !(seen.wrench->strongest_N <= *file.limits.forceStop_N))
+        findings.problem(
+            "force",
+            text + ArmCheckText::tr("; force_stop_N is %1").arg(shortNumber(*file.limits.forceStop_N)));
+    else
+        findings.good("force", text);
+}
+
 void findClock(Findings& findings, const ArmObservation& seen) {
     if (seen.zeroStamps > 0)
         findings.note("clock", ArmCheckText::tr("%1 stamps are zero").arg(seen.zeroStamps));
@@ -133,6 +161,46 @@ void findClock(Findings& findings, const ArmObservation& seen) {
         "clock",
         std::abs(*seen.clockDifference_s) > kNoticedClock_s ? FindingLevel::note : FindingLevel::good, text);
 }
+
+/// A force sensor that is looked at for some time.
+struct WatchedWrench {
+    [[nodiscard]] static core::Expected<WatchedWrench>
+    open(const std::shared_ptr<const dds::Participant>& participant, const RosWrenchFile& file,
+         const std::shared_ptr<const arm_model::SerialChain>& chain) {
+        TELETA_TRY(auto reader,
+                   dds::Reader<ros::WrenchStamped>::open(participant, ros::ddsTopicOf(file.topic),
+                                                         ros::kSensorReader.withDepth(kDepth)));
+        return WatchedWrench{std::move(reader), WrenchWatch(file, chain), {}, {}};
+    }
+
+    void look() {
+        (void)reader.take([this](const ros::WrenchStamped& message, const dds::SampleInfo&) {
+            const std::int64_t read_ns = core::steadyNow_ns();
+            watch.take(message, read_ns);
+            const double force_N = watch.newest_N();
+            if (!(force_N <= observed.strongest_N) && !std::isnan(observed.strongest_N))
+                observed.strongest_N = force_N;
+            if (last_ns)
+                observed.longestGap_s =
+                    std::max(observed.longestGap_s, static_cast<double>(read_ns - *last_ns) * 1e-9);
+            last_ns = read_ns;
+        });
+    }
+
+    [[nodiscard]] WrenchObservation seen(std::int64_t now_ns, double time_s) const {
+        WrenchObservation told = observed;
+        told.messages = watch.messages();
+        told.unknownFrame = watch.unknownFrame();
+        told.longestGap_s =
+            last_ns ? std::max(told.longestGap_s, static_cast<double>(now_ns - *last_ns) * 1e-9) : time_s;
+        return told;
+    }
+
+    dds::Reader<ros::WrenchStamped> reader;
+    WrenchWatch watch;
+    WrenchObservation observed;
+    std::optional<std::int64_t> last_ns;
+};
 
 /// Topics to which a trajectory controller listens.
 std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends) {
@@ -191,6 +259,12 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
     dds::WaitSet waitSet(participant);
     waitSet.attach(reader);
     JointWatch watch(std::move(names), file.jointStates, file.jointTimeout_s);
+    std::optional<WatchedWrench> wrench;
+    if (file.wrench) {
+        TELETA_TRY(auto opened, WatchedWrench::open(participant, *file.wrench, chain));
+        waitSet.attach(opened.reader);
+        wrench.emplace(std::move(opened));
+    }
     ArmObservation seen;
     std::vector<double> differences_s;
     const std::int64_t start_ns = core::steadyNow_ns();
@@ -216,6 +290,8 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
                     std::max(seen.longestGap_s, static_cast<double>(read_ns - *last_ns) * 1e-9);
             last_ns = read_ns;
         });
+        if (wrench)
+            wrench->look();
         if (std::optional<ArmFault> fault = watch.takeFault(); fault && !seen.fault)
             seen.fault = std::move(fault);
         waitSet.wait(kCheckLook_ns);
@@ -223,6 +299,8 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
     seen.time_s = static_cast<double>(now_ns - start_ns) * 1e-9;
     seen.longestGap_s =
         last_ns ? std::max(seen.longestGap_s, static_cast<double>(now_ns - *last_ns) * 1e-9) : seen.time_s;
+    if (wrench)
+        seen.wrench = wrench->seen(now_ns, seen.time_s);
     seen.counters = watch.joiner().counters();
     seen.zeroStamps = watch.joiner().stamps().zero();
     if (!differences_s.empty())
@@ -240,6 +318,7 @@ std::vector<ArmFinding> findingsOf(const RosArmFile& file, const arm_model::Seri
     findJoints(findings, file, chain.joints(), seen);
     findRate(findings, file, seen);
     findEffort(findings, file, seen);
+    findForce(findings, file, seen);
     findClock(findings, seen);
     findController(findings, file, seen.ends);
     for (const QString& obstacle : obstacles(file, chain))

@@ -20,6 +20,14 @@
 
 namespace teleta::ros_arm {
 
+/// What was told of the force at an arm's wrist.
+struct WrenchObservation {
+    std::uint64_t messages = 0;
+    double longestGap_s = 0.0; ///< without a message; the whole time when there was none
+    double strongest_N = 0.0;  ///< NaN: some force was no number
+    std::string unknownFrame;  ///< that the description does not have; empty: none
+};
+
 /// What was seen of an arm and its controller for some time.
 struct ArmObservation {
     double time_s = 0.0;       ///< > 0
@@ -33,7 +41,8 @@ struct ArmObservation {
     std::vector<std::string> unknown;        ///< names in messages that are not the arm's
     std::optional<ArmFault> fault;           ///< the first one
     std::optional<ros::QosMismatch> jointMismatch;
-    std::vector<dds::FoundEnd> ends; ///< of other programs, of all topics
+    std::optional<WrenchObservation> wrench; ///< nothing: the file names no force sensor
+    std::vector<dds::FoundEnd> ends;         ///< of other programs, of all topics
 };
 
 enum class FindingLevel {
@@ -43,7 +52,7 @@ enum class FindingLevel {
 };
 
 struct ArmFinding {
-    const char* check; ///< "joints", "rate", "effort", "clock", "controller", "writers", "file"
+    const char* check; ///< "joints", "rate", "effort", "force", "clock", "controller", "writers", "file"
     FindingLevel level;
     QString text; ///< translated, without a full stop
 };

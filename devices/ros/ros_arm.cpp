@@ -45,12 +45,13 @@ core::ArmDescription describeArm(const RosArmFile& file, const arm_model::Serial
 } // namespace
 
 core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, const core::StopSwitch& stop,
-                                                     const std::function<bool()>& cancelled) {
+                                                     const std::function<bool()>& cancelled,
+                                                     std::shared_ptr<const core::RequiredDevices> required) {
     TELETA_TRY(const std::shared_ptr<const dds::Participant> participant,
                dds::Participant::open(file.domain, file.announce ? kEnclave : ""));
     TELETA_TRY(std::shared_ptr<const arm_model::SerialChain> chain, findChain(participant, file, cancelled));
     TELETA_TRY(std::vector<std::string> names, wireNames(file, *chain));
-    if (const QStringList found = obstacles(file, *chain); !found.isEmpty())
+    if (const QStringList found = obstacles(file, *chain, required.get()); !found.isEmpty())
         return core::refused(
             RosArmText::tr("the arm cannot be moved: %1").arg(found.join(QStringLiteral("; "))));
     TELETA_TRY(dds::Discovery discovery, dds::Discovery::open(participant));
@@ -58,31 +59,44 @@ core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, con
                                                                ros::kSensorReader.withDepth(kReaderDepth)));
     TELETA_TRY(auto writer, dds::Writer<ros::JointTrajectory>::open(
                                 participant, ros::ddsTopicOf(file.commandTopic()), ros::kCommandWriter));
+    std::vector<dds::Guid> readers{reader.guid()};
+    std::optional<dds::Reader<ros::WrenchStamped>> wrench;
+    if (file.wrench) {
+        TELETA_TRY(auto opened,
+                   dds::Reader<ros::WrenchStamped>::open(participant, ros::ddsTopicOf(file.wrench->topic),
+                                                         ros::kSensorReader.withDepth(kReaderDepth)));
+        readers.push_back(opened.guid());
+        wrench.emplace(std::move(opened));
+    }
     std::optional<NodeAnnouncement> announcement;
     if (file.announce) {
         TELETA_TRY(NodeAnnouncement told, NodeAnnouncement::open(participant, file.distribution, kNodeName,
-                                                                 {reader.guid()}, {writer.guid()}));
+                                                                 readers, {writer.guid()}));
         announcement.emplace(std::move(told));
     }
-    return std::unique_ptr<RosArm>(new RosArm(
-        file, std::move(chain), std::move(names),
-        {participant, std::move(discovery), std::move(reader), std::move(writer), std::move(announcement)},
-        stop));
+    return std::unique_ptr<RosArm>(new RosArm(file, std::move(chain), std::move(names),
+                                              {participant, std::move(discovery), std::move(reader),
+                                               std::move(writer), std::move(wrench), std::move(announcement)},
+                                              stop, std::move(required)));
 }
 
 RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> chain,
-               std::vector<std::string> names, Ends ends, const core::StopSwitch& stop)
+               std::vector<std::string> names, Ends ends, const core::StopSwitch& stop,
+               std::shared_ptr<const core::RequiredDevices> required)
     : m_file(std::move(file))
     , m_chain(std::move(chain))
     , m_description(describeArm(m_file, *m_chain))
     , m_ends(std::move(ends))
     , m_stop(stop)
+    , m_required(std::move(required))
     , m_outlet(kQueueSamples, kBatchSamples)
     , m_mover(m_chain, m_file.limits)
     , m_watch(names, m_file.jointStates, m_file.jointTimeout_s)
     , m_message(std::move(names))
     , m_waitSet(m_ends.participant) {
     m_waitSet.attach(m_ends.reader);
+    if (m_file.wrench)
+        m_wrench.emplace(*m_file.wrench, m_chain);
 }
 
 void RosArm::post(const core::ArmCommand& command) {
@@ -133,6 +147,14 @@ void RosArm::deliver(const ros::JoinedJoints& joints, std::int64_t read_ns) {
     m_outlet.deliver(std::move(sample));
 }
 
+void RosArm::takeWrench() {
+    if (!m_wrench)
+        return;
+    (void)m_ends.wrench->take([this](const ros::WrenchStamped& message, const dds::SampleInfo&) {
+        m_wrench->take(message, core::steadyNow_ns());
+    });
+}
+
 core::JointVector RosArm::torqueOf(const ros::JoinedJoints& joints) const {
     if (m_file.effortUnit != EffortUnit::newtonMetre || joints.effort.empty())
         return {};
@@ -159,6 +181,7 @@ void RosArm::lookAround(std::int64_t now_ns) {
 
 void RosArm::step(std::int64_t now_ns) {
     lookAround(now_ns);
+    takeWrench();
     MoverInput input;
     input.now_ns = now_ns;
     input.stopped = m_stop.engaged();
@@ -171,8 +194,14 @@ void RosArm::step(std::int64_t now_ns) {
     // An arm whose effort is to hold it is not known without it.
     const core::JointVector torque = joints ? torqueOf(*joints) : core::JointVector();
     const bool effortMissing = joints && torque.empty() && !m_file.limits.effortStop_Nm.empty();
-    if (joints && !effortMissing)
-        input.reading = arm_model::MotionReading{joints->position, torque, std::nullopt};
+    std::optional<Eigen::Vector3d> force_Base_N;
+    if (joints && m_wrench)
+        force_Base_N = m_wrench->takeForce_Base_N(joints->position, now_ns);
+    const bool forceMissing = joints && !force_Base_N && m_file.limits.forceStop_N;
+    if (joints && !effortMissing && !forceMissing)
+        input.reading = arm_model::MotionReading{joints->position, torque, force_Base_N};
+    std::string lacking = m_required ? m_required->firstMissing(m_file.required) : std::string();
+    input.lacking = !lacking.empty();
     if (const auto points = m_mover.step(input))
         m_unsent += m_ends.writer.write(m_message.fill(*points)) ? 0 : 1;
 
@@ -186,6 +215,9 @@ void RosArm::step(std::int64_t now_ns) {
     if (joints)
         state.effort = joints->effort;
     state.effortMissing = effortMissing;
+    state.forceMissing = forceMissing;
+    state.force_Base_N = force_Base_N;
+    state.lacking = std::move(lacking);
     state.problem = problemOf(state).toStdString();
     using core::DeviceState;
     // A sample makes it live again.
@@ -207,6 +239,16 @@ QString RosArm::problemOf(const RosArmState& state) const {
     if (state.effortMissing)
         return RosArmText::tr("%1 reports no effort, so effort_stop cannot work")
             .arg(QString::fromStdString(m_file.jointStates));
+    if (state.forceMissing)
+        return m_wrench->unknownFrame().empty()
+                   ? RosArmText::tr("%1 reports no force, so force_stop_N cannot work")
+                         .arg(QString::fromStdString(m_file.wrench->topic))
+                   : RosArmText::tr("%1 reports a force in the frame %2, which the description does not have")
+                         .arg(QString::fromStdString(m_file.wrench->topic),
+                              QString::fromStdString(m_wrench->unknownFrame()));
+    if (!state.lacking.empty())
+        return RosArmText::tr("%1, which the arm requires, is not live")
+            .arg(QString::fromStdString(state.lacking));
     if (state.controllers == 0)
         return RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic()));
     if (!state.ready)

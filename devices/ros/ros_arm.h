@@ -4,6 +4,7 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/device/joint_outlet.h"
+#include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
 #include "backend/core/threads/latest_copy.h"
@@ -18,6 +19,7 @@
 #include "devices/ros/ros_arm_file.h"
 #include "devices/ros/trajectory_message.h"
 #include "devices/ros/trajectory_mover.h"
+#include "devices/ros/wrench_watch.h"
 
 #include <QString>
 
@@ -39,7 +41,10 @@ struct RosArmState {
     std::size_t controllers = 0;      ///< readers of the command topic
     bool ready = false;               ///< one reads it, and other programs would have been found
     bool effortMissing = false;       ///< effort_stop needs efforts, and they are not told
-    std::uint64_t unsent = 0;         ///< commands that could not be sent in time
+    bool forceMissing = false;        ///< force_stop_N needs the force at the wrist, and it is not known
+    std::optional<Eigen::Vector3d> force_Base_N{}; ///< on the arm; nothing: not known
+    std::string lacking;      ///< a device that the file requires and that is not live; empty: none
+    std::uint64_t unsent = 0; ///< commands that could not be sent in time
     ros::JointCounters counters;
     /// Why it does not move, a translated sentence without a full stop; empty: it may.
     std::string problem;
@@ -58,9 +63,11 @@ public:
     static constexpr std::int64_t kSettling_ns = 2'500'000'000;
 
     /// Joins the domain and reads the description; it waits for that, see findChain(). stop must outlive the
-    /// arm. Error: as findChain(); refused, with the obstacles() of the file.
+    /// arm. required: the devices that the file may require; null: nobody knows them. Error: as findChain();
+    /// refused, with the obstacles() of the file.
     [[nodiscard]] static core::Expected<std::unique_ptr<RosArm>>
-    open(const RosArmFile& file, const core::StopSwitch& stop, const std::function<bool()>& cancelled = {});
+    open(const RosArmFile& file, const core::StopSwitch& stop, const std::function<bool()>& cancelled = {},
+         std::shared_ptr<const core::RequiredDevices> required = {});
 
     [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
     void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
@@ -85,17 +92,20 @@ private:
         dds::Discovery discovery;
         dds::Reader<ros::JointState> reader;
         dds::Writer<ros::JointTrajectory> writer;
+        std::optional<dds::Reader<ros::WrenchStamped>> wrench;
         std::optional<NodeAnnouncement> announcement;
     };
 
     RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> chain,
-           std::vector<std::string> names, Ends ends, const core::StopSwitch& stop);
+           std::vector<std::string> names, Ends ends, const core::StopSwitch& stop,
+           std::shared_ptr<const core::RequiredDevices> required);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
     void wake() { m_waitSet.wake(); }
 
     void takeJoints();
+    void takeWrench();
     void deliver(const ros::JoinedJoints& joints, std::int64_t read_ns);
     [[nodiscard]] core::JointVector torqueOf(const ros::JoinedJoints& joints) const;
     void step(std::int64_t now_ns);
@@ -107,12 +117,14 @@ private:
     core::ArmDescription m_description;
     Ends m_ends;
     const core::StopSwitch& m_stop;
+    std::shared_ptr<const core::RequiredDevices> m_required; ///< null: the file requires none
     core::JointOutlet m_outlet;
     TrajectoryMover m_mover;
     core::LatestCopy<RosArmState> m_state;
 
     // The worker's own.
     JointWatch m_watch;
+    std::optional<WrenchWatch> m_wrench; ///< nothing: the file names no force sensor
     TrajectoryMessage m_message;
     dds::WaitSet m_waitSet;
     std::int64_t m_opened_ns = 0;

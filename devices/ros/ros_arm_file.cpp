@@ -5,7 +5,7 @@
 #include "backend/core/device/joint_vector.h"
 #include "backend/core/keys/keys.h"
 #include "backend/core/keys/toml_table.h"
-#include "backend/ros/topic_names.h"
+#include "devices/ros/ros_file_keys.h"
 
 #include <QCoreApplication>
 
@@ -29,24 +29,11 @@ struct ArmFileText {
 /// No arm needs more; larger numbers are slips of the unit.
 constexpr NumberRange kRate = NumberRange::positiveUpTo(1000.0);
 constexpr double kFarthest_m = 1000.0;
-constexpr double kShortestTimeout_s = 0.02;
-constexpr double kLongestTimeout_s = 1.0;
 
 /// The index of one of the names; the fallback when the key is missing.
 std::size_t choiceOr(TomlTable& table, std::string_view key, const std::vector<std::string_view>& names,
                      std::size_t fallback) {
     return table.has(key) ? table.choice(key, names) : fallback;
-}
-
-std::string topic(TomlTable& table, std::string_view key, const std::optional<std::string>& fallback = {}) {
-    std::string name = table.text(key, fallback);
-    if (!name.empty() && !ros::isTopicName(name))
-        table.fail(
-            key,
-            ArmFileText::tr("\"%1\" is not a topic name").arg(QString::fromStdString(name)).toStdString(),
-            ArmFileText::tr("parts of letters, digits and _ after slashes, for example /joint_states")
-                .toStdString());
-    return name;
 }
 
 void readAdapter(TomlTable& root) {
@@ -57,13 +44,11 @@ void readAdapter(TomlTable& root) {
                   "false");
 }
 
-void readDomain(TomlTable& root, RosArmFile& file) {
+void readRos(TomlTable& root, RosArmFile& file) {
     if (!root.has("ros"))
         return;
     TomlTable table = root.table("ros");
-    file.domain.domain = static_cast<int>(table.integer("domain", 0, dds::kHighestDomain, 0));
-    file.domain.interface = table.text("interface", "");
-    file.domain.peers = table.textList("peers");
+    file.domain = readDomain(table);
     file.distribution = static_cast<Distribution>(choiceOr(table, "distribution", {"jazzy", "humble"}, 0));
     file.announce = table.boolean("announce", true);
     table.finish();
@@ -141,6 +126,17 @@ void readLimits(TomlTable& root, RosArmFile& file) {
     table.finish();
 }
 
+void readWrench(TomlTable& root, const std::string& path, RosArmFile& file) {
+    if (!root.has("wrench"))
+        return;
+    auto wrench = readRosWrench(core::besideFile(path, root.text("wrench")));
+    if (wrench)
+        file.wrench = std::move(*wrench);
+    else
+        root.fail("wrench", core::describe(wrench.error()),
+                  ArmFileText::tr("the file of a force sensor, kind = \"ros_wrench\"").toStdString());
+}
+
 core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::string& path) {
     RosArmFile file;
     TomlTable root = document.root();
@@ -153,10 +149,9 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
     file.tipFrame = root.text("tip_frame");
     file.prefix = root.text("prefix", "");
     readAdapter(root);
-    file.controller = topic(root, "controller");
-    file.jointStates = topic(root, "joint_states", "/joint_states");
-    file.jointTimeout_s = root.number(
-        "joint_timeout_s", NumberRange::between(kShortestTimeout_s, kLongestTimeout_s), file.jointTimeout_s);
+    file.controller = readTopic(root, "controller");
+    file.jointStates = readTopic(root, "joint_states", "/joint_states");
+    file.jointTimeout_s = readTimeout_s(root, "joint_timeout_s", file.jointTimeout_s);
     file.effortUnit = static_cast<EffortUnit>(
         choiceOr(root, "effort_unit", {"Nm", "A", "none"}, static_cast<std::size_t>(EffortUnit::none)));
     file.effortContainsGravity = root.boolean("effort_contains_gravity", false);
@@ -167,9 +162,10 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
     file.required = root.textList("required");
     if (root.has("mesh_path"))
         file.meshPath = core::besideFile(path, root.text("mesh_path"));
-    readDomain(root, file);
+    readRos(root, file);
     readJointNames(root, file);
     readLimits(root, file);
+    readWrench(root, path, file);
     root.finish();
     if (document.firstError())
         return core::Unexpected(*document.firstError());

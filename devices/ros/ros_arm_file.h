@@ -4,8 +4,10 @@
 #include "backend/arm_model/motion_limits.h"
 #include "backend/core/error.h"
 #include "devices/dds/domain_config.h"
+#include "devices/ros/ros_wrench_file.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +35,10 @@ struct RosArmFile {
     std::string jointStates;     ///< topic
     double jointTimeout_s = 0.1; ///< 0.02 .. 1; older positions do not count
     EffortUnit effortUnit = EffortUnit::none;
-    bool effortContainsGravity = false; ///< with newtonMetre only
-    std::vector<std::string> required;  ///< devices of a site without which the arm is held
-    std::string meshPath;               ///< folder; empty: none
+    bool effortContainsGravity = false;  ///< with newtonMetre only
+    std::vector<std::string> required;   ///< devices of a site without which the arm is held
+    std::optional<RosWrenchFile> wrench; ///< the sensor for limits.forceStop_N; nothing: none
+    std::string meshPath;                ///< folder; empty: none
     dds::DomainConfig domain;
     Distribution distribution = Distribution::jazzy;
     bool announce = true;                                       ///< tell the node to other programs

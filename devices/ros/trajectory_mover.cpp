@@ -84,7 +84,8 @@ bool TrajectoryMover::mayMove(const MoverInput& input, bool late) {
 std::optional<std::array<arm_model::TrajectoryPoint, 2>> TrajectoryMover::step(const MoverInput& input) {
     const std::int64_t since_ns = m_lastStep_ns == kNever_ns ? kPeriod_ns : input.now_ns - m_lastStep_ns;
     m_lastStep_ns = input.now_ns;
-    if (input.stopped || std::exchange(m_engagements, input.engagements) != input.engagements)
+    const bool engaged = std::exchange(m_engagements, input.engagements) != input.engagements;
+    if (input.stopped || engaged || input.lacking)
         block(input.now_ns);
     takeCommand(input);
     const bool goesOn = mayMove(input, since_ns > kLatestStep_ns);

@@ -23,6 +23,7 @@ struct MoverInput {
     bool stopped = false;          ///< STOP is engaged
     std::uint64_t engagements = 0; ///< of STOP, so that a short one is seen
     bool ready = false;            ///< the controller reads commands, and the graph is known
+    bool lacking = false;          ///< a device that the arm requires is not live
     /// What the arm measures; nothing: its joints are not known, or too old.
     std::optional<arm_model::MotionReading> reading;
     std::optional<ArmFault> trouble; ///< what is wrong now
@@ -45,8 +46,9 @@ struct MoverState {
 ///   a rate of 0           the switch was let go
 /// After the start, STOP, a fault, joints that are not known, a controller that is gone, a step that is late,
 /// a rise of the effort, or more than kLongestGap_ns of silence with the switch held, it must be seen let go
-/// before the arm moves again. With STOP, or when the switch is let go, the arm brakes within its limits;
-/// with a fault and without known joints nothing more is sent. Thread: post() from any; the rest from one.
+/// before the arm moves again. With STOP, without a
+/// required device, or when the switch is let go, the arm brakes within its limits; with a fault and without
+/// known joints nothing more is sent. Thread: post() from any; the rest from one.
 class TrajectoryMover {
 public:
     static constexpr std::int64_t kPeriod_ns = 20'000'000;

@@ -58,6 +58,7 @@ bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
 bool rosArmFile(Bytes bytes);
+bool rosSensorFile(Bytes bytes); ///< of a force sensor or an array
 bool taxelsFile(Bytes bytes);
 bool urdf(Bytes bytes);
 bool sitePermissions(Bytes bytes);
@@ -71,7 +72,8 @@ bool siteStreams(Bytes bytes);
 bool wtsFrames(Bytes bytes);
 bool taxelStream(Bytes bytes); ///< of described arrays
 bool hidReports(Bytes bytes);
-bool rosJointStates(Bytes bytes); ///< messages in a form of the test, as the middleware hands them over
+bool rosJointStates(Bytes bytes);   ///< messages in a form of the test, as the middleware hands them over
+bool rosArrayMessages(Bytes bytes); ///< the same of arrays
 
 [[nodiscard]] inline std::string textOf(Bytes bytes) {
     return {bytes.begin(), bytes.end()};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/ros/joint_state_joiner.h"
+#include "devices/ros/array/array_message.h"
+#include "devices/ros/ros_wrench_file.h"
 #include "tests/fuzz/fuzz_check.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/floating_point_traps.h"
@@ -8,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace teleta::fuzz {
@@ -93,6 +96,89 @@ bool rosJointStates(Bytes bytes) {
     require(joiner.counters().malformed <= messages, "a message is malformed once");
     require(unknownNames <= ros::JointStateJoiner::kMostUnknownNames, "few unknown names are remembered");
     return joined;
+}
+
+bool rosSensorFile(Bytes bytes) {
+    const std::string text = textOf(bytes);
+    const auto wrench = ros_arm::parseRosWrench(text, kInput);
+    const auto array = ros_array::parseRosArray(text, kInput);
+    require(!wrench || !array, "a file has one kind");
+    if (wrench)
+        require(!wrench->topic.empty() && std::abs(wrench->sign) == 1.0 && wrench->timeout_s > 0.0,
+                "a force sensor has a topic, a sign and a time");
+    else
+        requireExplained(wrench.error());
+    if (array)
+        require(array->layout.rows > 0 && array->layout.columns > 0 && array->layout.pitch_m > 0.0 &&
+                    array->scale != 0.0 && array->threshold > 0.0,
+                "an array has taxels");
+    else
+        requireExplained(array.error());
+    return wrench || array;
+}
+
+bool rosArrayMessages(Bytes bytes) {
+    Source source(bytes);
+    ros_array::RosArrayFile file;
+    file.layout = {1 + source.next<std::uint8_t>() % 4, 1 + source.next<std::uint8_t>() % 4, 1e-3};
+    file.scale = 1.0 + source.next<std::int8_t>() * 2.0;
+    bool any = false;
+    while (!source.atEnd()) {
+        std::vector<float> loads(file.layout.taxels(), -1.0F);
+        core::Expected<bool> isFrame = false;
+        const auto kind = source.next<std::uint8_t>() % 3U;
+        std::string name(1, source.next<char>());
+        if (kind == 0) {
+            ros::Image message{};
+            const std::array<std::string, 6> encodings{"32FC1", "16UC1", "mono16", "8UC1", "mono8", name};
+            std::string encoding = encodings[source.next<std::uint8_t>() % encodings.size()];
+            std::vector<std::uint8_t> data(source.next<std::uint8_t>());
+            for (std::uint8_t& byte : data)
+                byte = source.next<std::uint8_t>();
+            message.encoding = encoding.data();
+            message.height = source.next<std::uint8_t>() % 5U;
+            message.width = source.next<std::uint8_t>() % 5U;
+            message.step = source.next<std::uint32_t>();
+            message.is_bigendian = source.next<std::uint8_t>();
+            ros::lend(message.data, std::span(data));
+            isFrame = ros_array::loadsOf(message, file, loads);
+        } else if (kind == 1) {
+            ros::Float64MultiArray message{};
+            std::vector<std::remove_pointer_t<decltype(message.layout.dim._buffer)>> dimensions(
+                source.next<std::uint8_t>() % 4U);
+            for (auto& dimension : dimensions)
+                dimension.size = source.next<std::uint32_t>();
+            std::vector<double> data = source.numbers(source.next<std::uint8_t>() % 20U);
+            message.layout.data_offset = source.next<std::uint32_t>() % 8U;
+            ros::lend(message.layout.dim, std::span(dimensions));
+            ros::lend(message.data, std::span(data));
+            isFrame = ros_array::loadsOf(message, file, loads);
+        } else {
+            ros::TactileState message{};
+            file.sensor = source.next<std::uint8_t>() % 2U == 0 ? std::string() : name;
+            std::vector<std::remove_pointer_t<decltype(message.sensors._buffer)>> sensors(
+                source.next<std::uint8_t>() % 3U);
+            std::vector<std::vector<float>> values(sensors.size());
+            for (std::size_t i = 0; i < sensors.size(); ++i) {
+                sensors[i].name = source.next<std::uint8_t>() % 2U == 0 ? nullptr : name.data();
+                values[i].resize(source.next<std::uint8_t>() % 20U);
+                for (float& value : values[i])
+                    value = source.next<float>();
+                ros::lend(sensors[i].values, std::span(values[i]));
+            }
+            ros::lend(message.sensors, std::span(sensors));
+            isFrame = ros_array::loadsOf(message, file, loads);
+        }
+        if (!isFrame)
+            require(!isFrame.error().message.empty(), "an error has a message");
+        if (!isFrame.value_or(false))
+            require(std::ranges::all_of(loads, [](float load) { return load == -1.0F; }),
+                    "what is no frame changes nothing");
+        require(std::ranges::none_of(loads, [](float load) { return std::isinf(load); }),
+                "no load is infinite");
+        any = any || isFrame.value_or(false);
+    }
+    return any;
 }
 
 } // namespace teleta::fuzz

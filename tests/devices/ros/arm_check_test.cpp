@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm_model/urdf_reader.h"
+#include "devices/ros/arm_chain.h"
 #include "devices/ros/arm_check.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -121,9 +123,51 @@ TEST(ArmCheck, aLimitThatCannotActHoldsTheArm) {
     EXPECT_EQ(
         textsOf(findingsOf(fileOf("[limits]\neffort_stop = [1, 1]\n"), sevenJoints(), goodArm()), "file"),
         "effort_stop has 2 numbers, the arm has 7 joints;");
-    EXPECT_FALSE(canMove(findingsOf(fileOf("[limits]\nforce_stop_N = 30\n"), sevenJoints(), goodArm())));
+    RosArmFile forces = fileOf("[limits]\nforce_stop_N = 30\n");
+    EXPECT_EQ(textsOf(findingsOf(forces, sevenJoints(), goodArm()), "file"),
+              "force_stop_N needs a force sensor: wrench = \"FILE\" names the file of one;");
+    forces.wrench.emplace().topic = "/ft/wrench";
+    EXPECT_TRUE(obstacles(forces, sevenJoints()).isEmpty());
+    forces.wrench->frame = "ft_sensor";
+    EXPECT_EQ(textsOf(findingsOf(forces, sevenJoints(), goodArm()), "file"),
+              "the force sensor is in the frame ft_sensor, which the description does not have;");
+    forces.wrench->frame = "tool0";
+    forces.wrench->domain.emplace().domain = 5;
+    EXPECT_EQ(obstacles(forces, sevenJoints()).size(), 1);
     EXPECT_EQ(textsOf(findingsOf(fileOf("[joint_names]\nelbow = \"e\"\n"), sevenJoints(), goodArm()), "file"),
               "[joint_names] names elbow, which is not in the description;");
+}
+
+TEST(ArmCheck, aForceSensorHasToTellSmallForcesInTime) {
+    RosArmFile file = fileOf("[limits]\nforce_stop_N = 30\n");
+    file.wrench.emplace().topic = "/ft/wrench";
+    ArmObservation seen = goodArm();
+    const auto texts = [&](FindingLevel level) {
+        return textsOf(findingsOf(file, sevenJoints(), seen), "force", level);
+    };
+    seen.wrench.emplace();
+    EXPECT_EQ(texts(FindingLevel::problem), "/ft/wrench reports no force;");
+    seen.wrench =
+        WrenchObservation{.messages = 500, .longestGap_s = 0.02, .strongest_N = 4.0, .unknownFrame = {}};
+    EXPECT_EQ(texts(FindingLevel::good), "100 messages a second, longest gap 0.02 s, at most 4 N;");
+    seen.wrench->strongest_N = 31.0;
+    EXPECT_NE(texts(FindingLevel::problem).find("force_stop_N is 30"), std::string::npos);
+    seen.wrench->strongest_N = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(texts(FindingLevel::problem), "");
+    seen.wrench->strongest_N = 4.0;
+    seen.wrench->longestGap_s = 0.3;
+    EXPECT_NE(texts(FindingLevel::problem).find("timeout_s is 0.1"), std::string::npos);
+    seen.wrench->unknownFrame = "ft_sensor";
+    EXPECT_NE(texts(FindingLevel::problem).find("ft_sensor"), std::string::npos);
+    file.limits.forceStop_N.reset();
+    EXPECT_NE(texts(FindingLevel::note), "") << "nothing depends on it";
+}
+
+TEST(ArmCheck, requiredDevicesHaveToBeWatchedBySomebody) {
+    const RosArmFile file = fileOf("required = [\"pad\"]\n");
+    EXPECT_FALSE(canMove(findingsOf(file, sevenJoints(), goodArm())));
+    const core::RequiredDevices known;
+    EXPECT_TRUE(obstacles(file, sevenJoints(), &known).isEmpty());
 }
 
 TEST(ArmCheck, saysWhyTheControllerIsNotReached) {

@@ -106,5 +106,22 @@ TEST(RosArmFile, whatCannotBeKeptIsRefused) {
               "3)");
 }
 
+TEST(RosArmFile, readsTheFileOfItsForceSensor) {
+    const test::TemporaryFolder folder;
+    folder.write("ft.toml", "kind = \"ros_wrench\"\nname = \"wrist\"\ntopic = \"/ft/wrench\"\n");
+    const std::string arm = folder.write("arm.toml", kShortest + "wrench = \"ft.toml\"\n");
+    const auto file = readRosArm(arm);
+    ASSERT_TRUE(file) << core::describe(file.error());
+    ASSERT_TRUE(file->wrench);
+    EXPECT_EQ(file->wrench->topic, "/ft/wrench");
+    folder.write("ft.toml", "kind = \"ros_wrench\"\nname = \"wrist\"\ntopic = \"no topic\"\n");
+    const auto broken = readRosArm(arm);
+    ASSERT_FALSE(broken);
+    const std::string text = core::describe(broken.error());
+    EXPECT_NE(text.find("arm.toml:6"), std::string::npos) << text;
+    EXPECT_NE(text.find("ft.toml:3"), std::string::npos) << text;
+    EXPECT_NE(errorWith("wrench = \"none.toml\"\n").find("none.toml"), std::string::npos);
+}
+
 } // namespace
 } // namespace teleta::ros_arm

@@ -135,6 +135,23 @@ TEST(TrajectoryMover, brakesWhenTheSwitchIsLetGoAndThenIsSilent) {
     EXPECT_TRUE(arm.hold(1));
 }
 
+TEST(TrajectoryMover, brakesWithoutARequiredDeviceAndWantsANewPressAfterIt) {
+    MovedArm arm;
+    arm.moveFreshly();
+    arm.input.lacking = true;
+    for (int i = 1; i <= 5; ++i) {
+        ASSERT_TRUE(arm.hold(1)) << i;
+        EXPECT_NEAR(arm.mover.state().rate[0], 0.3 - 0.06 * i, 1e-12);
+    }
+    EXPECT_TRUE(arm.staysWhenHeld());
+    arm.input.lacking = false;
+    EXPECT_TRUE(arm.staysWhenHeld());
+    EXPECT_TRUE(arm.mover.state().ignoresPress);
+    arm.letGo();
+    arm.step();
+    EXPECT_TRUE(arm.hold(1));
+}
+
 TEST(TrajectoryMover, brakesWhenCommandsStopComing) {
     MovedArm arm;
     arm.moveFreshly();

@@ -157,11 +157,12 @@ void Robot::tell(std::int64_t step) {
         return written;
     };
     std::int64_t stamp_ns = clock_ns(CLOCK_REALTIME);
-    if (m_options.pad && due(step, m_options.padRate_Hz))
+    if (m_options.pad && !has("no-pad") && due(step, m_options.padRate_Hz))
         counted(m_topics.tellPad(m_arm.taxels_N()));
     if (!due(step, m_options.rate_Hz))
         return;
-    counted(m_topics.tellWrench(m_arm.wrench(), stamp_ns));
+    if (!has("no-wrench"))
+        counted(m_topics.tellWrench(m_arm.wrench(), stamp_ns));
     if (has("silent"))
         return;
     JointTelling joints{m_arm.joints(), m_arm.position_rad(), m_arm.velocity_radPerS(),

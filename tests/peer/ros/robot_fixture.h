@@ -47,12 +47,18 @@ protected:
         writeFile("");
     }
 
-    void writeFile(const std::string& more, const std::string& ros = {}) {
+    void writeFile(const std::string& more, const std::string& ros = {}, const std::string& limits = {}) {
         std::ofstream file(path());
         file << "kind = \"ros_arm\"\nname = \"Robot\"\nbase_frame = \"base_link\"\ntip_frame = \"tool0\"\n"
                 "controller = \"/arm_controller\"\neffort_unit = \"Nm\"\njoint_timeout_s = 0.25\n"
              << more << "[ros]\ndomain = " << m_domain << "\ninterface = \"lo\"\n"
-             << ros << "[limits]\nspeed_scale = 1.0\ntip_turn_radPerS = 1.0\n";
+             << ros << "[limits]\nspeed_scale = 1.0\ntip_turn_radPerS = 1.0\n"
+             << limits;
+    }
+
+    /// A file beside that of the arm.
+    void writeBeside(const QString& name, const std::string& text) const {
+        std::ofstream(m_folder.filePath(name).toStdString()) << text;
     }
 
     [[nodiscard]] std::string path() const { return m_folder.filePath("arm.toml").toStdString(); }

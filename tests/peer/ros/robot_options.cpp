@@ -14,6 +14,8 @@ namespace {
 constexpr const char* kFaults =
     R"(Faults, as --fault KIND@START or KIND@START+DURATION (seconds from the start):
   silent     no joint states
+  no-pad     no frames of the pad
+  no-wrench  no wrenches
   nan        the position of the first joint is not a number
   infinite   its velocity is infinite
   missing    the last joint is left out
@@ -45,9 +47,9 @@ double number(const std::string& text) {
 } // namespace
 
 const std::vector<std::string>& faultKinds() {
-    static const std::vector<std::string> kinds = {"silent",      "nan",  "infinite", "missing",
-                                                   "swapped",     "jump", "backward", "zero-stamp",
-                                                   "best-effort", "deaf"};
+    static const std::vector<std::string> kinds = {"silent",   "no-pad",     "no-wrench",   "nan",
+                                                   "infinite", "missing",    "swapped",     "jump",
+                                                   "backward", "zero-stamp", "best-effort", "deaf"};
     return kinds;
 }
 

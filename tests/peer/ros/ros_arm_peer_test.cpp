@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program against a robot of Fast DDS and MuJoCo, over the loopback interface. Each test has a domain of
 // its own. The robot's log says where the arm was and when; its clock is the steady one of this computer.
+#include "backend/core/steady_time.h"
 #include "dds_node.h"
 #include "messagesPubSubTypes.h"
 #include "robot_fixture.h"
@@ -177,6 +178,37 @@ TEST_F(RosArmPeer, anInterruptionHoldsTheArm) {
     EXPECT_LT(told["held_s"].get<double>(), 1.9);
     EXPECT_FALSE(told["time_to_rest_s"].is_null());
     EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+}
+
+TEST_F(RosArmPeer, aForceAtTheWristHoldsTheArm) {
+    start(112);
+    writeBeside("ft.toml",
+                "kind = \"ros_wrench\"\nname = \"wrist\"\ntopic = \"/ft/wrench\"\ntimeout_s = 0.25\n");
+    writeFile("wrench = \"ft.toml\"\n", {}, "force_stop_N = 15.0\n");
+    test::RunningProgram jog(jogArguments(2.0));
+    ASSERT_TRUE(eventually([this] {
+        const std::vector<json> states = logOf("state");
+        return !states.empty() && states.back()["velocity"][kJoint].get<double>() > 0.9 * kRate_radPerS;
+    }));
+    ASSERT_TRUE(m_robot.command("push 0 0 -30"));
+    const double pushed_s = 1e-9 * static_cast<double>(core::steadyNow_ns());
+    const ProgramResult result = jog.wait();
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    // A step of 20 ms, the first point and the way to brake.
+    EXPECT_LE(lastAway_s(2e-3) - pushed_s,
+              0.02 + kFirstPoint_s + kRate_radPerS / kDeceleration_radPerS2 + 0.1);
+    EXPECT_GT(json::parse(result.out)["way"].get<double>(), 0.0);
+    EXPECT_LT(json::parse(result.out)["way"].get<double>(), 0.5) << "2 s at 0.3 rad/s are 0.6 rad";
+    // Nor does it begin to move, until the force is gone.
+    const auto way = [this] { return json::parse(test::run(jogArguments(0.5)).out)["way"].get<double>(); };
+    EXPECT_NEAR(way(), 0.0, 1e-3);
+    ASSERT_TRUE(m_robot.command("push 0 0 0"));
+    EXPECT_GT(way(), 0.05);
+    // A sensor that is silent is no sensor without a force.
+    ASSERT_TRUE(m_robot.command("fault no-wrench"));
+    const ProgramResult blind = test::run(jogArguments(0.2));
+    EXPECT_EQ(blind.exitCode, 1);
+    EXPECT_NE(blind.err.find("/ft/wrench reports no force"), std::string::npos) << blind.err;
 }
 
 TEST_F(RosArmPeer, anotherWriterEndsTheMotion) {

@@ -63,6 +63,39 @@ TEST_F(SiteRobot, aJogThroughTheSiteMovesAsFarAsItSays) {
         EXPECT_EQ(trajectory["accepted"], true) << trajectory["reason"];
 }
 
+TEST_F(SiteRobot, theArmIsHeldWithoutADeviceThatItRequires) {
+    start(114, {"--pad"});
+    writeBeside("pad.toml",
+                "kind = \"ros_tactile\"\nname = \"pad\"\ntopic = \"/pad/tactile\"\n"
+                "format = \"Float64MultiArray\"\nrows = 14\ncols = 6\npitch_mm = 3.4\nrate_Hz = 100\n"
+                "[ros]\ndomain = 114\ninterface = \"lo\"\n");
+    writeFile("required = [\"pad\"]\n", "announce = false\n");
+    m_site = std::make_unique<SiteProcess>(115, "[[device]]\nfile = \"" + path() +
+                                                    "\"\n[[device]]\nid = \"pad\"\ntaxels = \"" +
+                                                    m_folder.filePath("pad.toml").toStdString() + "\"\n");
+    m_site->start();
+    TestConsole console(*m_site, "a");
+    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    ASSERT_TRUE(m_robot.command("fault no-pad"));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.rests(200ms, 2e-3); }));
+    EXPECT_TRUE(TestConsole::eventually([&] {
+        return console.hindrance().find("pad, which the arm requires") != std::string::npos;
+    })) << console.hindrance();
+    // The switch is still held when it comes back.
+    ASSERT_TRUE(m_robot.command("fault none"));
+    EXPECT_TRUE(TestConsole::eventually([&] {
+        return console.hindrance().find("let go of the switch") != std::string::npos;
+    })) << console.hindrance();
+    EXPECT_TRUE(console.rests(300ms, 2e-3));
+    console.letGo();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.moves());
+}
+
 TEST_F(SiteRobot, theArmRestsWhenTheConsoleIsKilled) {
     begin(102);
     auto program = jog(2.0);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/ros/ros_file_keys.h"
+
+#include "backend/ros/topic_names.h"
+
+#include <QCoreApplication>
+
+namespace teleta::ros_arm {
+
+namespace {
+
+struct FileKeysText {
+    Q_DECLARE_TR_FUNCTIONS(RosFileKeys)
+};
+
+constexpr double kShortestTimeout_s = 0.02;
+constexpr double kLongestTimeout_s = 1.0;
+
+} // namespace
+
+std::string readTopic(core::TomlTable& table, std::string_view key,
+                      const std::optional<std::string>& fallback) {
+    std::string name = table.text(key, fallback);
+    if (!name.empty() && !ros::isTopicName(name))
+        table.fail(
+            key,
+            FileKeysText::tr("\"%1\" is not a topic name").arg(QString::fromStdString(name)).toStdString(),
+            FileKeysText::tr("parts of letters, digits and _ after slashes, for example /joint_states")
+                .toStdString());
+    return name;
+}
+
+dds::DomainConfig readDomain(core::TomlTable& ros) {
+    dds::DomainConfig config;
+    config.domain = static_cast<int>(ros.integer("domain", 0, dds::kHighestDomain, 0));
+    config.interface = ros.text("interface", "");
+    config.peers = ros.textList("peers");
+    return config;
+}
+
+double readTimeout_s(core::TomlTable& table, std::string_view key, double fallback_s) {
+    return table.number(key, core::NumberRange::between(kShortestTimeout_s, kLongestTimeout_s), fallback_s);
+}
+
+} // namespace teleta::ros_arm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/ros/wrench_watch.h"
+
+#include <cmath>
+#include <utility>
+
+namespace teleta::ros_arm {
+
+WrenchWatch::WrenchWatch(const RosWrenchFile& file, std::shared_ptr<const arm_model::SerialChain> chain)
+    : m_chain(std::move(chain))
+    , m_frame(file.frame.empty() ? m_chain->tipLink() : file.frame)
+    , m_sign(file.sign)
+    , m_timeout_ns(std::llround(file.timeout_s * 1e9)) {
+}
+
+std::optional<std::size_t> WrenchWatch::linkOf(const std::string& frame) const {
+    return m_chain->model().findLink(frame);
+}
+
+void WrenchWatch::take(const ros::WrenchStamped& message, std::int64_t read_ns) {
+    ++m_messages;
+    const char* told = message.header.frame_id;
+    std::string frame = told == nullptr || *told == '\0' ? m_frame : told;
+    if (frame != m_lastFrame || !m_link) {
+        m_link = linkOf(frame);
+        m_unknownFrame = m_link ? std::string() : frame;
+        m_lastFrame = std::move(frame);
+        m_isNew = false; // what came before has other axes
+    }
+    const auto& force = message.wrench.force;
+    m_force_N = m_sign * Eigen::Vector3d(force.x, force.y, force.z);
+    // What is not finite counts as strongest.
+    if (!m_isNew || (m_strongest_N.allFinite() && !(m_force_N.stableNorm() <= m_strongest_N.stableNorm())))
+        m_strongest_N = m_force_N;
+    m_isNew = true;
+    m_read_ns = read_ns;
+}
+
+std::optional<Eigen::Vector3d> WrenchWatch::takeForce_Base_N(const core::JointVector& q,
+                                                             std::int64_t now_ns) {
+    const Eigen::Vector3d force_N = std::exchange(m_isNew, false) ? m_strongest_N : m_force_N;
+    if (!m_read_ns || now_ns - *m_read_ns > m_timeout_ns || !m_link)
+        return std::nullopt;
+    return m_chain->linkPoses(q)[*m_link].linear() * force_N;
+}
+
+} // namespace teleta::ros_arm

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The force at the wrist of a planar arm whose two joints turn about y, so that the tool is turned by their
+// sum.
+#include "backend/arm_model/urdf_reader.h"
+#include "devices/ros/wrench_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace teleta::ros_arm {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::shared_ptr<const arm_model::SerialChain> planarArm() {
+    const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/tests/data/urdf/gripper.urdf");
+    EXPECT_TRUE(model);
+    const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                      "base_link", "tool0");
+    EXPECT_TRUE(chain);
+    return std::make_shared<const arm_model::SerialChain>(*chain);
+}
+
+RosWrenchFile sensor() {
+    RosWrenchFile file;
+    file.name = "wrist";
+    file.topic = "/ft/wrench";
+    return file;
+}
+
+class Wrist {
+public:
+    explicit Wrist(const RosWrenchFile& file = sensor())
+        : watch(file, planarArm()) {}
+    void tell(double x, double y, double z, std::int64_t time_ns, std::string frame = {}) {
+        ros::WrenchStamped message{};
+        message.header.frame_id = frame.data();
+        message.wrench.force = {x, y, z};
+        watch.take(message, time_ns);
+    }
+    WrenchWatch watch;
+};
+
+TEST(WrenchWatch, turnsTheForceIntoTheBase) {
+    Wrist wrist;
+    const core::JointVector q{0.4, 0.3};
+    EXPECT_FALSE(wrist.watch.takeForce_Base_N(q, 0)) << "nothing was told yet";
+    wrist.tell(1.0, 2.0, 3.0, 0);
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    const auto tool = wrist.watch.takeForce_Base_N(q, 100 * kMs);
+    ASSERT_TRUE(tool);
+    EXPECT_TRUE(tool->isApprox(Eigen::Vector3d(c + 3.0 * s, 2.0, 3.0 * c - s), 1e-12));
+    wrist.tell(1.0, 2.0, 3.0, 0, "base_link");
+    EXPECT_TRUE(wrist.watch.takeForce_Base_N(q, 0)->isApprox(Eigen::Vector3d(1.0, 2.0, 3.0), 1e-12));
+}
+
+TEST(WrenchWatch, hasTheFrameAndTheSignOfItsFile) {
+    RosWrenchFile file = sensor();
+    file.frame = "upper";
+    file.sign = -1.0;
+    Wrist wrist(file);
+    wrist.tell(1.0, 0.0, 0.0, 0);
+    const auto force = wrist.watch.takeForce_Base_N({0.4, 0.3}, 0);
+    ASSERT_TRUE(force);
+    EXPECT_TRUE(force->isApprox(Eigen::Vector3d(-std::cos(0.4), 0.0, std::sin(0.4)), 1e-12));
+}
+
+TEST(WrenchWatch, doesNotKnowAnOldForceOrOneOfAnUnknownFrame) {
+    Wrist wrist;
+    const core::JointVector q{0.0, 0.0};
+    wrist.tell(1.0, 0.0, 0.0, 0);
+    EXPECT_TRUE(wrist.watch.takeForce_Base_N(q, 100 * kMs));
+    EXPECT_FALSE(wrist.watch.takeForce_Base_N(q, 101 * kMs));
+    wrist.tell(1.0, 0.0, 0.0, 200 * kMs, "ft_sensor");
+    EXPECT_FALSE(wrist.watch.takeForce_Base_N(q, 200 * kMs));
+    EXPECT_EQ(wrist.watch.unknownFrame(), "ft_sensor");
+    wrist.tell(2.0, 0.0, 0.0, 210 * kMs);
+    EXPECT_EQ(wrist.watch.unknownFrame(), "");
+    EXPECT_EQ(wrist.watch.takeForce_Base_N(q, 210 * kMs)->x(), 2.0);
+    EXPECT_EQ(wrist.watch.messages(), 3U);
+}
+
+TEST(WrenchWatch, missesNoPeakBetweenTwoLooks) {
+    Wrist wrist;
+    const core::JointVector q{0.0, 0.0};
+    wrist.tell(1.0, 0.0, 0.0, 0);
+    wrist.tell(-40.0, 0.0, 0.0, kMs);
+    wrist.tell(2.0, 0.0, 0.0, 2 * kMs);
+    EXPECT_EQ(wrist.watch.takeForce_Base_N(q, 2 * kMs)->x(), -40.0);
+    EXPECT_EQ(wrist.watch.takeForce_Base_N(q, 2 * kMs)->x(), 2.0) << "the newest";
+    wrist.tell(kNan, 0.0, 0.0, 3 * kMs);
+    wrist.tell(50.0, 0.0, 0.0, 4 * kMs);
+    EXPECT_TRUE(std::isnan(wrist.watch.takeForce_Base_N(q, 4 * kMs)->x())) << "no number is no small force";
+}
+
+TEST(RosWrenchFile, readsItsKeys) {
+    const std::string shortest = "kind = \"ros_wrench\"\nname = \"wrist\"\ntopic = \"/ft/wrench\"\n";
+    const auto file = parseRosWrench(shortest, "ft.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->topic, "/ft/wrench");
+    EXPECT_EQ(file->sign, 1.0);
+    EXPECT_EQ(file->timeout_s, 0.1);
+    EXPECT_FALSE(file->domain);
+    const auto whole = parseRosWrench(
+        shortest + "frame = \"tool0\"\nwrench_sign = -1\ntimeout_s = 0.05\n[ros]\ndomain = 4\n", "ft.toml");
+    ASSERT_TRUE(whole) << core::describe(whole.error());
+    EXPECT_EQ(whole->frame, "tool0");
+    EXPECT_EQ(whole->sign, -1.0);
+    EXPECT_EQ(whole->timeout_s, 0.05);
+    EXPECT_EQ(whole->domain->domain, 4);
+    for (const char* line : {"wrench_sign = 0\n", "wrench_sign = 2\n", "timeout_s = 0.001\n", "sign = 1\n"}) {
+        const auto bad = parseRosWrench(shortest + line, "ft.toml");
+        ASSERT_FALSE(bad) << line;
+        EXPECT_EQ(bad.error().where.line, 4) << line;
+    }
+}
+
+} // namespace
+} // namespace teleta::ros_arm
