@@ -2,12 +2,16 @@
 // The program against a robot of Fast DDS and MuJoCo, over the loopback interface. Each test has a domain of
 // its own. The robot's log says where the arm was and when; its clock is the steady one of this computer.
 #include "backend/core/steady_time.h"
+#include "backend/core/threads/wakeup.h"
 #include "dds_node.h"
+#include "devices/ros/array/ros_array.h"
 #include "messagesPubSubTypes.h"
 #include "robot_fixture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
@@ -209,6 +213,50 @@ TEST_F(RosArmPeer, aForceAtTheWristHoldsTheArm) {
     const ProgramResult blind = test::run(jogArguments(0.2));
     EXPECT_EQ(blind.exitCode, 1);
     EXPECT_NE(blind.err.find("/ft/wrench reports no force"), std::string::npos) << blind.err;
+}
+
+TEST_F(RosArmPeer, aPadIsATactileArray) {
+    start(116, {"--pad"});
+    const auto openPad = [](int rows, int columns) {
+        const auto file = ros_array::parseRosArray(
+            "kind = \"ros_tactile\"\nname = \"pad\"\ntopic = \"/pad/tactile\"\nformat = "
+            "\"Float64MultiArray\"\n"
+            "rows = " +
+                std::to_string(rows) + "\ncols = " + std::to_string(columns) +
+                "\npitch_mm = 3.4\nrate_Hz = 100\n[ros]\ndomain = 116\ninterface = \"lo\"\n",
+            "pad.toml");
+        EXPECT_TRUE(file) << core::describe(file.error());
+        auto opened = ros_array::RosArray::open(*file);
+        EXPECT_TRUE(opened) << core::describe(opened.error());
+        return std::move(*opened);
+    };
+    core::Wakeup wakeup;
+    const auto pad = openPad(14, 6);
+    pad->start(wakeup);
+    ASSERT_TRUE(m_robot.command("press 8"));
+    double sum_N = 0.0;
+    const auto isPressed = [&] {
+        for (core::SampleBlock block; pad->blocks().pop(block);) {
+            const auto frame = block.frame(block.frames() - 1);
+            sum_N = std::accumulate(frame.begin(), frame.end(), 0.0);
+        }
+        return std::abs(sum_N - 8.0) < 0.4;
+    };
+    EXPECT_TRUE(eventually(isPressed)) << sum_N;
+    EXPECT_EQ(pad->status().state, core::DeviceState::live);
+    ASSERT_TRUE(m_robot.command("fault no-pad"));
+    EXPECT_TRUE(eventually([&] { return pad->status().state == core::DeviceState::stale; }));
+    EXPECT_NE(pad->status().message.find("/pad/tactile"), std::string::npos) << pad->status().message;
+    ASSERT_TRUE(m_robot.command("fault none"));
+    EXPECT_TRUE(eventually([&] { return pad->status().state == core::DeviceState::live; }));
+
+    const auto turned = openPad(6, 14);
+    turned->start(wakeup);
+    EXPECT_TRUE(eventually([&] {
+        return turned->status().message.find("14 x 6 numbers, the file has 6 x 14") != std::string::npos;
+    })) << turned->status().message;
+    EXPECT_EQ(turned->status().state, core::DeviceState::connecting);
+    EXPECT_GT(turned->counters().misfits, 0U);
 }
 
 TEST_F(RosArmPeer, anotherWriterEndsTheMotion) {
