@@ -37,7 +37,7 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     arm.source = &channel.device();
     arm.chain = channel.chain();
     if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {
-        arm.adapter = "trajectory";
+        arm.adapter = ros->file().adapter == ros_arm::Adapter::moveitServo ? "moveit_servo" : "trajectory";
         arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
                          : ros->file().effortUnit == ros_arm::EffortUnit::ampere    ? "A"
                                                                                     : "none";

@@ -117,6 +117,10 @@ QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chai
                      "the file requires %1, which is not monitored when the arm is driven directly")
                      .arg(devices.join(QStringLiteral(", ")));
     }
+    if (file.adapter == Adapter::moveitServo && required == nullptr)
+        found << ArmChainText::tr(
+            "MoveIt Servo compares stamps with the robot's clock, so only teleta-site sends "
+            "commands to it");
     if (file.limits.forceStop_N && !file.wrench)
         found << ArmChainText::tr(
             "force_stop_N needs a force sensor: wrench = \"FILE\" names the file of one");

@@ -30,8 +30,8 @@ inline constexpr long long kDescriptionWait_ns = 5'000'000'000;
                                                                  const arm_model::SerialChain& chain);
 
 /// Why the arm of this file may not be moved from here, as translated sentences without a full stop; empty
-/// when it may. What the file demands is kept, or nothing moves. required: null when nobody knows the devices
-/// that the file requires.
+/// when it may. What the file demands is kept, or nothing moves. required: the devices of the site that
+/// moves the arm; null: the arm is moved without a site.
 [[nodiscard]] QStringList obstacles(const RosArmFile& file, const arm_model::SerialChain& chain,
                                     const core::RequiredDevices* required = nullptr);
 

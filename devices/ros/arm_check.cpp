@@ -10,14 +10,15 @@
 #include "devices/dds/qos_text.h"
 #include "devices/dds/wait_set.h"
 #include "devices/ros/arm_chain.h"
+#include "devices/ros/arm_commander.h"
 #include "devices/ros/joint_watch.h"
+#include "devices/ros/wall_clock.h"
 #include "devices/ros/wrench_watch.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace teleta::ros_arm {
@@ -32,7 +33,6 @@ constexpr int kDepth = 64;
 constexpr std::int64_t kCheckLook_ns = 50'000'000;
 /// Clocks that differ by more are told apart from delays of the network.
 constexpr double kNoticedClock_s = 0.1;
-constexpr const char* kTrajectoryType = "trajectory_msgs/msg/JointTrajectory";
 
 QString asText(const std::string& text) {
     return QString::fromStdString(text);
@@ -47,10 +47,6 @@ QString listOf(const std::vector<std::string>& names) {
 
 QString shortNumber(double value) {
     return QString::number(value, 'g', 3);
-}
-
-double wallClock_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 class Findings {
@@ -202,12 +198,12 @@ struct WatchedWrench {
     std::optional<std::int64_t> last_ns;
 };
 
-/// Topics to which a trajectory controller listens.
-std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends) {
+/// Topics of other controllers that take commands of this type.
+std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends, std::string_view type) {
     std::vector<std::string> topics;
     for (const dds::FoundEnd& end : ends) {
         const std::optional<std::string> topic = ros::rosTopicOf(end.ddsTopic);
-        if (!end.writes && topic && ros::rosTypeOf(end.ddsType) == kTrajectoryType)
+        if (!end.writes && topic && ros::rosTypeOf(end.ddsType) == type)
             topics.push_back(*topic);
     }
     return topics;
@@ -216,6 +212,7 @@ std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends) {
 void findController(Findings& findings, const RosArmFile& file, const std::vector<dds::FoundEnd>& ends) {
     const QString topic = asText(file.commandTopic());
     const std::string ddsTopic = ros::ddsTopicOf(file.commandTopic());
+    const std::string_view type = commandTypeOf(file.adapter);
     bool reads = false;
     std::optional<QString> why;
     for (const dds::FoundEnd& end : ends) {
@@ -226,7 +223,7 @@ void findController(Findings& findings, const RosArmFile& file, const std::vecto
             continue;
         }
         const std::optional<ros::QosMismatch> mismatch = ros::mismatch(end.profile, ros::kCommandWriter);
-        if (ros::rosTypeOf(end.ddsType) != kTrajectoryType)
+        if (ros::rosTypeOf(end.ddsType) != type)
             why = ArmCheckText::tr("%1 has the type %2").arg(topic, asText(ros::rosTypeOf(end.ddsType)));
         else if (mismatch)
             why = dds::describe(*mismatch);
@@ -237,7 +234,7 @@ void findController(Findings& findings, const RosArmFile& file, const std::vecto
         findings.good("controller", ArmCheckText::tr("reads %1").arg(topic));
         return;
     }
-    const std::vector<std::string> others = controllersOf(ends);
+    const std::vector<std::string> others = controllersOf(ends, type);
     QString text = why ? ArmCheckText::tr("cannot be reached: %1").arg(*why)
                        : ArmCheckText::tr("nobody reads %1").arg(topic);
     if (!why && !others.empty())

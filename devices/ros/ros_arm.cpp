@@ -6,6 +6,7 @@
 #include "backend/core/threads/urgent_thread.h"
 #include "backend/ros/topic_names.h"
 #include "devices/ros/arm_chain.h"
+#include "devices/ros/wall_clock.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -29,6 +30,11 @@ constexpr std::size_t kBatchSamples = 64;
 constexpr int kReaderDepth = 64;
 /// Between looks for other programs.
 constexpr std::int64_t kLook_ns = 100'000'000;
+
+/// Our wall clock less the stamps of joint states, between which MoveIt Servo takes our commands for as old
+/// as they are.
+constexpr double kEarliestStamp_s = -0.02;
+constexpr double kLatestStamp_s = 0.08;
 
 core::ArmDescription describeArm(const RosArmFile& file, const arm_model::SerialChain& chain) {
     core::ArmDescription arm;
@@ -57,8 +63,7 @@ core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, con
     TELETA_TRY(dds::Discovery discovery, dds::Discovery::open(participant));
     TELETA_TRY(auto reader, dds::Reader<ros::JointState>::open(participant, ros::ddsTopicOf(file.jointStates),
                                                                ros::kSensorReader.withDepth(kReaderDepth)));
-    TELETA_TRY(auto writer, dds::Writer<ros::JointTrajectory>::open(
-                                participant, ros::ddsTopicOf(file.commandTopic()), ros::kCommandWriter));
+    TELETA_TRY(auto commander, ArmCommander::open(participant, file, names));
     std::vector<dds::Guid> readers{reader.guid()};
     std::optional<dds::Reader<ros::WrenchStamped>> wrench;
     if (file.wrench) {
@@ -71,13 +76,14 @@ core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, con
     std::optional<NodeAnnouncement> announcement;
     if (file.announce) {
         TELETA_TRY(NodeAnnouncement told, NodeAnnouncement::open(participant, file.distribution, kNodeName,
-                                                                 readers, {writer.guid()}));
+                                                                 readers, {commander->writer().guid()}));
         announcement.emplace(std::move(told));
     }
-    return std::unique_ptr<RosArm>(new RosArm(file, std::move(chain), std::move(names),
-                                              {participant, std::move(discovery), std::move(reader),
-                                               std::move(writer), std::move(wrench), std::move(announcement)},
-                                              stop, std::move(required)));
+    return std::unique_ptr<RosArm>(
+        new RosArm(file, std::move(chain), std::move(names),
+                   {participant, std::move(discovery), std::move(reader), std::move(commander),
+                    std::move(wrench), std::move(announcement)},
+                   stop, std::move(required)));
 }
 
 RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> chain,
@@ -90,9 +96,8 @@ RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> ch
     , m_stop(stop)
     , m_required(std::move(required))
     , m_outlet(kQueueSamples, kBatchSamples)
-    , m_mover(m_chain, m_file.limits)
-    , m_watch(names, m_file.jointStates, m_file.jointTimeout_s)
-    , m_message(std::move(names))
+    , m_mover(m_chain, m_file.limits, reactionOf_s(m_file.adapter))
+    , m_watch(std::move(names), m_file.jointStates, m_file.jointTimeout_s)
     , m_waitSet(m_ends.participant) {
     m_waitSet.attach(m_ends.reader);
     if (m_file.wrench)
@@ -139,6 +144,7 @@ void RosArm::deliver(const ros::JoinedJoints& joints, std::int64_t read_ns) {
     core::JointSample sample;
     sample.time_ns = read_ns;
     sample.sourceTime_s = joints.stamp_s;
+    m_clockDifference_s = wallClock_s() - joints.stamp_s;
     sample.angle_rad = joints.position;
     sample.torque_Nm = torqueOf(joints);
     const core::JointVector& commanded = m_mover.state().commanded;
@@ -173,10 +179,11 @@ void RosArm::lookAround(std::int64_t now_ns) {
     if (now_ns < m_nextLook_ns)
         return;
     m_nextLook_ns = now_ns + kLook_ns;
-    m_controllers = m_ends.writer.matched();
-    m_otherWriter = std::ranges::any_of(
-        m_ends.discovery.endsOf(ros::ddsTopicOf(m_file.commandTopic())),
-        [this](const dds::FoundEnd& end) { return end.writes && end.guid != m_ends.writer.guid(); });
+    m_controllers = m_ends.commander->writer().matched();
+    const dds::Guid own = m_ends.commander->writer().guid();
+    m_otherWriter =
+        std::ranges::any_of(m_ends.discovery.endsOf(ros::ddsTopicOf(m_file.commandTopic())),
+                            [&own](const dds::FoundEnd& end) { return end.writes && end.guid != own; });
 }
 
 void RosArm::step(std::int64_t now_ns) {
@@ -186,7 +193,9 @@ void RosArm::step(std::int64_t now_ns) {
     input.now_ns = now_ns;
     input.stopped = m_stop.engaged();
     input.engagements = m_stop.engagements();
-    input.ready = m_controllers > 0 && now_ns - m_opened_ns >= kSettling_ns;
+    const bool clockOff = m_file.adapter == Adapter::moveitServo &&
+                          !(m_clockDifference_s >= kEarliestStamp_s && m_clockDifference_s <= kLatestStamp_s);
+    input.ready = m_controllers > 0 && now_ns - m_opened_ns >= kSettling_ns && !clockOff;
     input.trouble = m_watch.takeFault();
     if (!input.trouble && m_otherWriter)
         input.trouble = ArmFault{ArmFaultKind::otherWriter, m_file.commandTopic()};
@@ -203,7 +212,7 @@ void RosArm::step(std::int64_t now_ns) {
     std::string lacking = m_required ? m_required->firstMissing(m_file.required) : std::string();
     input.lacking = !lacking.empty();
     if (const auto points = m_mover.step(input))
-        m_unsent += m_ends.writer.write(m_message.fill(*points)) ? 0 : 1;
+        m_unsent += m_ends.commander->send({*points, m_mover.state().rate}) ? 0 : 1;
 
     RosArmState state;
     state.mover = m_mover.state();
@@ -218,6 +227,8 @@ void RosArm::step(std::int64_t now_ns) {
     state.forceMissing = forceMissing;
     state.force_Base_N = force_Base_N;
     state.lacking = std::move(lacking);
+    if (clockOff)
+        state.clockOff_s = m_clockDifference_s;
     state.problem = problemOf(state).toStdString();
     using core::DeviceState;
     // A sample makes it live again.
@@ -249,6 +260,12 @@ QString RosArm::problemOf(const RosArmState& state) const {
     if (!state.lacking.empty())
         return RosArmText::tr("%1, which the arm requires, is not live")
             .arg(QString::fromStdString(state.lacking));
+    if (state.clockOff_s)
+        return RosArmText::tr("the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4")
+            .arg(QString::fromStdString(m_file.jointStates))
+            .arg(*state.clockOff_s, 0, 'g', 3)
+            .arg(kEarliestStamp_s)
+            .arg(kLatestStamp_s);
     if (state.controllers == 0)
         return RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic()));
     if (!state.ready)

@@ -14,10 +14,10 @@
 #include "devices/dds/endpoint.h"
 #include "devices/dds/participant.h"
 #include "devices/dds/wait_set.h"
+#include "devices/ros/arm_commander.h"
 #include "devices/ros/joint_watch.h"
 #include "devices/ros/node_announcement.h"
 #include "devices/ros/ros_arm_file.h"
-#include "devices/ros/trajectory_message.h"
 #include "devices/ros/trajectory_mover.h"
 #include "devices/ros/wrench_watch.h"
 
@@ -43,6 +43,8 @@ struct RosArmState {
     bool effortMissing = false;       ///< effort_stop needs efforts, and they are not told
     bool forceMissing = false;        ///< force_stop_N needs the force at the wrist, and it is not known
     std::optional<Eigen::Vector3d> force_Base_N{}; ///< on the arm; nothing: not known
+    /// Our wall clock less the newest stamp, where the adapter needs both to agree and they do not.
+    std::optional<double> clockOff_s{};
     std::string lacking;      ///< a device that the file requires and that is not live; empty: none
     std::uint64_t unsent = 0; ///< commands that could not be sent in time
     ros::JointCounters counters;
@@ -63,7 +65,8 @@ public:
     static constexpr std::int64_t kSettling_ns = 2'500'000'000;
 
     /// Joins the domain and reads the description; it waits for that, see findChain(). stop must outlive the
-    /// arm. required: the devices that the file may require; null: nobody knows them. Error: as findChain();
+    /// arm. required: the devices of the site that moves the arm, which the file may require; null: without a
+    /// site. Error: as findChain();
     /// refused, with the obstacles() of the file.
     [[nodiscard]] static core::Expected<std::unique_ptr<RosArm>>
     open(const RosArmFile& file, const core::StopSwitch& stop, const std::function<bool()>& cancelled = {},
@@ -91,7 +94,7 @@ private:
         std::shared_ptr<const dds::Participant> participant;
         dds::Discovery discovery;
         dds::Reader<ros::JointState> reader;
-        dds::Writer<ros::JointTrajectory> writer;
+        std::unique_ptr<ArmCommander> commander;
         std::optional<dds::Reader<ros::WrenchStamped>> wrench;
         std::optional<NodeAnnouncement> announcement;
     };
@@ -125,8 +128,8 @@ private:
     // The worker's own.
     JointWatch m_watch;
     std::optional<WrenchWatch> m_wrench; ///< nothing: the file names no force sensor
-    TrajectoryMessage m_message;
     dds::WaitSet m_waitSet;
+    double m_clockDifference_s = 0.0; ///< our wall clock less the newest stamp
     std::int64_t m_opened_ns = 0;
     std::int64_t m_nextLook_ns = 0;
     std::size_t m_controllers = 0;

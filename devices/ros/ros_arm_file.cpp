@@ -36,9 +36,9 @@ std::size_t choiceOr(TomlTable& table, std::string_view key, const std::vector<s
     return table.has(key) ? table.choice(key, names) : fallback;
 }
 
-void readAdapter(TomlTable& root) {
-    // Further adapters would move an arm that nobody stops, or need a program of the robot's side.
-    (void)choiceOr(root, "adapter", {"trajectory"}, 0);
+void readAdapter(TomlTable& root, RosArmFile& file) {
+    // Further adapters would move an arm that nobody stops.
+    file.adapter = static_cast<Adapter>(choiceOr(root, "adapter", {"trajectory", "moveit_servo"}, 0));
     if (root.boolean("unguarded", false))
         root.fail("unguarded", ArmFileText::tr("no available adapter moves an arm unguarded").toStdString(),
                   "false");
@@ -148,8 +148,10 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
     file.baseFrame = root.text("base_frame");
     file.tipFrame = root.text("tip_frame");
     file.prefix = root.text("prefix", "");
-    readAdapter(root);
-    file.controller = readTopic(root, "controller");
+    readAdapter(root, file);
+    file.controller =
+        readTopic(root, "controller",
+                  file.adapter == Adapter::moveitServo ? std::optional("/servo_node") : std::nullopt);
     file.jointStates = readTopic(root, "joint_states", "/joint_states");
     file.jointTimeout_s = readTimeout_s(root, "joint_timeout_s", file.jointTimeout_s);
     file.effortUnit = static_cast<EffortUnit>(

@@ -21,6 +21,12 @@ enum class EffortUnit {
     none,        ///< nothing that is used
 };
 
+/// What moves the arm at the robot.
+enum class Adapter {
+    trajectory,  ///< a trajectory controller
+    moveitServo, ///< MoveIt Servo, with rates of the joints
+};
+
 /// How wide the names of readers and writers are when nodes are told.
 enum class Distribution { jazzy, humble };
 
@@ -30,8 +36,9 @@ struct RosArmFile {
     std::string description; ///< path of a URDF file; empty: the topic /robot_description
     std::string baseFrame;
     std::string tipFrame;
-    std::string prefix;          ///< put before every joint's name on the wire
-    std::string controller;      ///< "/arm_controller": commands go to its topic joint_trajectory
+    std::string prefix; ///< put before every joint's name on the wire
+    Adapter adapter = Adapter::trajectory;
+    std::string controller;      ///< "/arm_controller", whose topic takes the commands
     std::string jointStates;     ///< topic
     double jointTimeout_s = 0.1; ///< 0.02 .. 1; older positions do not count
     EffortUnit effortUnit = EffortUnit::none;
@@ -47,8 +54,10 @@ struct RosArmFile {
 
     /// A joint's name in messages: as the file maps it, after the prefix.
     [[nodiscard]] std::string wireName(std::string_view joint) const;
-    /// "/arm_controller/joint_trajectory"
-    [[nodiscard]] std::string commandTopic() const { return controller + "/joint_trajectory"; }
+    /// "/arm_controller/joint_trajectory", or "/servo_node/delta_joint_cmds"
+    [[nodiscard]] std::string commandTopic() const {
+        return controller + (adapter == Adapter::moveitServo ? "/delta_joint_cmds" : "/joint_trajectory");
+    }
 };
 
 /// Relative paths of the file count from its folder. Error: notFound, ioFailed, badInput with file, line and

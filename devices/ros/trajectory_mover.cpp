@@ -18,9 +18,9 @@ bool moves(const core::JointVector& rate) {
 } // namespace
 
 TrajectoryMover::TrajectoryMover(std::shared_ptr<const arm_model::SerialChain> chain,
-                                 const arm_model::MotionLimits& limits)
+                                 const arm_model::MotionLimits& limits, double reaction_s)
     : m_chain(std::move(chain))
-    , m_governor(m_chain, limits, arm_model::kFirstPoint_s) {
+    , m_governor(m_chain, limits, reaction_s) {
 }
 
 void TrajectoryMover::post(core::ArmCommand command, std::int64_t now_ns) {

@@ -39,9 +39,9 @@ struct MoverState {
     bool ignoresPress = false;     ///< it is held, and has not been let go since the arm was held
 };
 
-/// Turns an operator's joint rates into commands for a trajectory controller, 50 a second while the arm moves
-/// and none while it stands. Each command ends at rest, so that the controller stops the arm by itself when
-/// no further one comes.
+/// Turns an operator's joint rates into commands for a trajectory controller, or into the rates in its
+/// state(), 50 a second while the arm moves and none while it stands. Each command ends at rest, so that the
+/// controller stops the arm by itself when no further one comes.
 ///   a rate other than 0   the dead-man switch is held; counts for ArmCommand::kJogLifetime_ns
 ///   a rate of 0           the switch was let go
 /// After the start, STOP, a fault, joints that are not known, a controller that is gone, a step that is late,
@@ -58,8 +58,9 @@ public:
     /// The commanded position is kept so long after a motion, in which the arm still comes to it.
     static constexpr std::int64_t kSettling_ns = 500'000'000;
 
+    /// reaction_s: how long the arm goes on before it brakes when no further command comes.
     TrajectoryMover(std::shared_ptr<const arm_model::SerialChain> chain,
-                    const arm_model::MotionLimits& limits);
+                    const arm_model::MotionLimits& limits, double reaction_s = arm_model::kFirstPoint_s);
 
     /// The latest command wins; one of the future counts as given now.
     void post(core::ArmCommand command, std::int64_t now_ns);

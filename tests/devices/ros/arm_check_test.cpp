@@ -163,6 +163,19 @@ TEST(ArmCheck, aForceSensorHasToTellSmallForcesInTime) {
     EXPECT_NE(texts(FindingLevel::note), "") << "nothing depends on it";
 }
 
+TEST(ArmCheck, moveItServoIsForSitesOnly) {
+    RosArmFile file = fileOf();
+    file.adapter = Adapter::moveitServo;
+    file.controller = "/servo_node";
+    EXPECT_EQ(obstacles(file, sevenJoints()).size(), 1);
+    const core::RequiredDevices atASite;
+    EXPECT_TRUE(obstacles(file, sevenJoints(), &atASite).isEmpty());
+    ArmObservation seen = goodArm();
+    seen.ends[1] = endOf("rt/servo_node/delta_joint_cmds", false, "control_msgs::msg::dds_::JointJog_");
+    EXPECT_EQ(textsOf(findingsOf(file, sevenJoints(), seen), "controller", FindingLevel::good),
+              "reads /servo_node/delta_joint_cmds;");
+}
+
 TEST(ArmCheck, requiredDevicesHaveToBeWatchedBySomebody) {
     const RosArmFile file = fileOf("required = [\"pad\"]\n");
     EXPECT_FALSE(canMove(findingsOf(file, sevenJoints(), goodArm())));

@@ -93,7 +93,7 @@ TEST(RosArmFile, saysWhereItIsWrong) {
 
 TEST(RosArmFile, whatCannotBeKeptIsRefused) {
     EXPECT_EQ(errorWith("adapter = \"velocity\"\n"),
-              "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory)");
+              "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory, moveit_servo)");
     EXPECT_EQ(errorWith("unguarded = true\n"),
               "arm.toml:6:13: no available adapter moves an arm unguarded (expected false)");
     EXPECT_EQ(errorWith("effort_contains_gravity = true\n"),
@@ -104,6 +104,21 @@ TEST(RosArmFile, whatCannotBeKeptIsRefused) {
               "arm.toml:7:30: STOP would brake more gently than letting go (expected at least "
               "deceleration_radPerS2, "
               "3)");
+}
+
+TEST(RosArmFile, aServoHasATopicOfItsOwn) {
+    const std::string frames = "kind = \"ros_arm\"\nname = \"Arm\"\nbase_frame = \"base_link\"\n"
+                               "tip_frame = \"tool0\"\nadapter = \"moveit_servo\"\n";
+    const auto file = parseRosArm(frames, "arm.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->adapter, Adapter::moveitServo);
+    EXPECT_EQ(file->commandTopic(), "/servo_node/delta_joint_cmds");
+    const auto other = parseRosArm(frames + "controller = \"/left/servo\"\n", "arm.toml");
+    ASSERT_TRUE(other) << core::describe(other.error());
+    EXPECT_EQ(other->commandTopic(), "/left/servo/delta_joint_cmds");
+    for (const char* adapter : {"velocity", "position"})
+        EXPECT_NE(errorWith(std::string("adapter = \"") + adapter + "\"\n").find("moveit_servo"),
+                  std::string::npos);
 }
 
 TEST(RosArmFile, readsTheFileOfItsForceSensor) {

@@ -37,6 +37,9 @@ bool due(std::int64_t step, double rate_Hz) {
     return step % std::max<std::int64_t>(1, std::llround(1000 / rate_Hz)) == 0;
 }
 
+/// The default of MoveIt Servo's incoming_command_timeout.
+constexpr double kServoTimeout_s = 0.1;
+
 } // namespace
 
 std::int64_t clock_ns(clockid_t clock) {
@@ -91,6 +94,8 @@ void Robot::step(std::int64_t step, double late_s) {
         for (std::size_t i = 0; i < velocity.size(); ++i)
             velocity[i] = desired.velocity_radPerS[i] + kGain_perS * (desired.position_rad[i] - position[i]);
     }
+    if (m_options.controller == "servo")
+        velocity = servoVelocity();
     m_arm.step(velocity);
     tell(step);
     logChanges();
@@ -103,7 +108,37 @@ void Robot::step(std::int64_t step, double late_s) {
         m_log.flush();
 }
 
+std::vector<double> Robot::servoVelocity() const {
+    return 1e-9 * static_cast<double>(clock_ns(CLOCK_REALTIME)) < m_servoUntil_s
+               ? m_velocityCommand
+               : std::vector<double>(m_velocityCommand.size(), 0.0);
+}
+
+void Robot::takeJogs() {
+    for (const auto& jog : m_topics.takeJogs()) {
+        if (has("deaf"))
+            continue;
+        const double stamp_s = jog.header().stamp().sec() + 1e-9 * jog.header().stamp().nanosec();
+        std::vector<double> velocity(m_velocityCommand.size(), 0.0);
+        bool known = jog.joint_names().size() == jog.velocities().size();
+        for (std::size_t i = 0; known && i < jog.joint_names().size(); ++i) {
+            const auto joint = std::find(m_arm.joints().begin(), m_arm.joints().end(), jog.joint_names()[i]);
+            known = joint != m_arm.joints().end();
+            if (known)
+                velocity[static_cast<std::size_t>(joint - m_arm.joints().begin())] = jog.velocities()[i];
+        }
+        if (known) {
+            m_velocityCommand = velocity;
+            m_servoUntil_s = stamp_s + kServoTimeout_s;
+        }
+        log("jog", {{"accepted", known},
+                    {"velocities", jog.velocities()},
+                    {"age_s", 1e-9 * static_cast<double>(clock_ns(CLOCK_REALTIME)) - stamp_s}});
+    }
+}
+
 void Robot::takeCommands(double now_s) {
+    takeJogs();
     const auto trajectories = m_topics.takeTrajectories();
     const auto velocities = m_topics.takeVelocities();
     if (has("deaf")) {

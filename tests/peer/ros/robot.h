@@ -30,6 +30,9 @@ public:
 
 private:
     void takeCommands(double now_s);
+    void takeJogs();
+    /// The servo's velocity; zero without a fresh command.
+    [[nodiscard]] std::vector<double> servoVelocity() const;
     void setFaults(double now_s);
     [[nodiscard]] bool has(const std::string& fault) const { return m_active.count(fault) != 0; }
     void tell(std::int64_t step);
@@ -40,6 +43,7 @@ private:
     ArmPhysics m_arm;
     TrajectoryFollower m_follower;
     std::vector<double> m_velocityCommand;
+    double m_servoUntil_s = 0; ///< wall clock; the servo halts then
     RobotTopics m_topics;
     std::ofstream m_log;
     std::set<std::string> m_active;

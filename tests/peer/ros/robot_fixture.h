@@ -50,7 +50,8 @@ protected:
     void writeFile(const std::string& more, const std::string& ros = {}, const std::string& limits = {}) {
         std::ofstream file(path());
         file << "kind = \"ros_arm\"\nname = \"Robot\"\nbase_frame = \"base_link\"\ntip_frame = \"tool0\"\n"
-                "controller = \"/arm_controller\"\neffort_unit = \"Nm\"\njoint_timeout_s = 0.25\n"
+                "effort_unit = \"Nm\"\njoint_timeout_s = 0.25\n"
+             << (more.find("adapter") == std::string::npos ? "controller = \"/arm_controller\"\n" : "")
              << more << "[ros]\ndomain = " << m_domain << "\ninterface = \"lo\"\n"
              << ros << "[limits]\nspeed_scale = 1.0\ntip_turn_radPerS = 1.0\n"
              << limits;

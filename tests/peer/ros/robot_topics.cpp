@@ -78,6 +78,9 @@ RobotTopics::RobotTopics(const RobotOptions& options, const std::string& urdf, c
         m_node.read("/arm_controller/joint_trajectory",
                     dds::TypeSupport(new trajectory_msgs::msg::JointTrajectoryPubSubType), command,
                     &m_trajectories);
+    else if (options.controller == "servo")
+        m_node.read("/servo_node/delta_joint_cmds",
+                    dds::TypeSupport(new control_msgs::msg::JointJogPubSubType), command, &m_jogs);
     else
         m_node.read("/velocity_controller/commands",
                     dds::TypeSupport(new std_msgs::msg::Float64MultiArrayPubSubType), command, &m_velocities);

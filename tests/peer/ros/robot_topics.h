@@ -51,17 +51,21 @@ public:
     [[nodiscard]] std::vector<std_msgs::msg::Float64MultiArray> takeVelocities() {
         return m_velocities.take();
     }
-    [[nodiscard]] int commanders() const { return m_trajectories.writers() + m_velocities.writers(); }
+    [[nodiscard]] std::vector<control_msgs::msg::JointJog> takeJogs() { return m_jogs.take(); }
+    [[nodiscard]] int commanders() const {
+        return m_trajectories.writers() + m_velocities.writers() + m_jogs.writers();
+    }
     [[nodiscard]] int jointReaders() const { return m_jointReaders.readers(); }
     /// Writers on the command topic that do not match.
     [[nodiscard]] int incompatible() const {
-        return m_trajectories.incompatible() + m_velocities.incompatible();
+        return m_trajectories.incompatible() + m_velocities.incompatible() + m_jogs.incompatible();
     }
 
 private:
     // Before the node, which calls them until it is gone.
     Inbox<trajectory_msgs::msg::JointTrajectory> m_trajectories;
     Inbox<std_msgs::msg::Float64MultiArray> m_velocities;
+    Inbox<control_msgs::msg::JointJog> m_jogs;
     ReaderCount m_jointReaders;
     DdsNode m_node;
     std::string m_frame;

@@ -96,6 +96,52 @@ TEST_F(SiteRobot, theArmIsHeldWithoutADeviceThatItRequires) {
     EXPECT_TRUE(console.moves());
 }
 
+TEST_F(SiteRobot, moveItServoMovesTheArmAndHaltsItWhenTheSiteIsKilled) {
+    start(118, {"--controller", "servo"});
+    writeFile("adapter = \"moveit_servo\"\n", "announce = false\n");
+    // Without a site nobody knows whether the clocks agree.
+    const ProgramResult direct = test::run(jogArguments(0.2));
+    EXPECT_EQ(direct.exitCode, 1);
+    EXPECT_NE(direct.err.find("only teleta-site"), std::string::npos) << direct.err;
+    m_site = std::make_unique<SiteProcess>(119, "[[device]]\nfile = \"" + path() + "\"\n");
+    m_site->start();
+    auto first = jog(1.0);
+    const ProgramResult result = first.wait();
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const double way = json::parse(result.out)["way"];
+    EXPECT_GT(way, 0.02) << result.out;
+    EXPECT_LT(way, 0.36) << result.out;
+    for (const json& jogged : logOf("jog")) {
+        EXPECT_EQ(jogged["accepted"], true);
+        EXPECT_GT(jogged["age_s"].get<double>(), 0.0);
+    }
+    expectRest();
+    EXPECT_NEAR(logOf("state").back()["position"][kJoint].get<double>(), way, 5e-3);
+
+    auto second = jog(2.0);
+    ASSERT_TRUE(runsAtFullSpeed());
+    m_site->kill();
+    expectRest();
+    // Servo's time-out; this servo stops within a few steps.
+    EXPECT_LE(lastAway_s(1e-3) - steady_s(logOf("jog").back()), 0.1 + 0.1);
+    EXPECT_EQ(second.wait().exitCode, 1);
+}
+
+TEST_F(SiteRobot, moveItServoIsNotTrustedWithAnotherClock) {
+    start(120, {"--controller", "servo", "--fault", "backward@0"});
+    writeFile("adapter = \"moveit_servo\"\n", "announce = false\n");
+    m_site = std::make_unique<SiteProcess>(121, "[[device]]\nfile = \"" + path() + "\"\n");
+    m_site->start();
+    TestConsole console(*m_site, "a");
+    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    EXPECT_TRUE(TestConsole::eventually([&] {
+        return console.hindrance().find("MoveIt Servo takes -0.02 to 0.08") != std::string::npos;
+    })) << console.hindrance();
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.rests(500ms, 2e-3));
+    EXPECT_TRUE(logOf("jog").empty());
+}
+
 TEST_F(SiteRobot, theArmRestsWhenTheConsoleIsKilled) {
     begin(102);
     auto program = jog(2.0);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/arm_model/trajectory_points.h"
+#include "backend/core/device/joint_vector.h"
+#include "backend/core/error.h"
+#include "devices/dds/endpoint.h"
+#include "devices/dds/participant.h"
+#include "devices/ros/ros_arm_file.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace teleta::ros_arm {
+
+/// A command as the mover makes it: where the arm goes and how it comes to rest, and how fast it is now.
+struct MotionCommand {
+    std::array<arm_model::TrajectoryPoint, 2> points;
+    core::JointVector rate; ///< rad/s or m/s
+};
+
+/// Sends an arm's commands in the way of its file's adapter. Thread: one.
+class ArmCommander {
+public:
+    virtual ~ArmCommander() = default;
+    /// names: of the joints on the wire. Error: as dds::AnyWriter::open().
+    [[nodiscard]] static core::Expected<std::unique_ptr<ArmCommander>>
+    open(const std::shared_ptr<const dds::Participant>& participant, const RosArmFile& file,
+         std::vector<std::string> names);
+
+    /// False: not sent in time.
+    [[nodiscard]] virtual bool send(const MotionCommand& command) = 0;
+    [[nodiscard]] virtual const dds::AnyWriter& writer() const = 0;
+};
+
+/// The type of an adapter's commands: "trajectory_msgs/msg/JointTrajectory".
+[[nodiscard]] std::string_view commandTypeOf(Adapter adapter);
+
+/// How long an arm goes on at the same rate when no further command comes, before it brakes.
+[[nodiscard]] double reactionOf_s(Adapter adapter);
+
+} // namespace teleta::ros_arm
