@@ -2865,6 +2865,63 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>CostWords</name>
+    <message>
+        <source>twice as fast</source>
+        <translation>deux fois plus rapide</translation>
+    </message>
+    <message>
+        <source>%1 times as fast</source>
+        <translation>%1 fois plus rapide</translation>
+    </message>
+    <message>
+        <source>takes twice as long</source>
+        <translation>prend deux fois plus de temps</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long</source>
+        <translation>prend %1 fois plus de temps</translation>
+    </message>
+    <message>
+        <source>%1, %2 less exact</source>
+        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
+        <translation>%1, moins exact de %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 more exact</source>
+        <translation>%1, plus exact de %2</translation>
+    </message>
+    <message>
+        <source>%1 is better in both: %2.</source>
+        <translation>%1 est meilleur sur les deux plans&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Faster: %1, %2.</source>
+        <translation>Plus rapide&#xa0;: %1, %2.</translation>
+    </message>
+    <message>
+        <source>More exact: %1, %2.</source>
+        <translation>Plus exact&#xa0;: %1, %2.</translation>
+    </message>
+    <message>
+        <source>No setting is faster.</source>
+        <translation>Aucun réglage n’est plus rapide.</translation>
+    </message>
+    <message>
+        <source>No setting is more exact.</source>
+        <translation>Aucun réglage n’est plus exact.</translation>
+    </message>
+    <message>
+        <source>In use: %1. It takes %2 and is off by %3 on average.</source>
+        <extracomment>A setting, its time, its error</extracomment>
+        <translation>Utilisé&#xa0;: %1. Il prend %2 et s’écarte de %3 en moyenne.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 and is off by %3 on average.</source>
+        <translation>%1 prend %2 et s’écarte de %3 en moyenne.</translation>
+    </message>
+</context>
+<context>
     <name>CsvReaderText</name>
     <message>
         <source>opening was interrupted: %1</source>
@@ -3272,6 +3329,38 @@ Exemples&#xa0;:
         <source>Camera</source>
         <translation>Caméra</translation>
     </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Simulated participants answer, and the confusion matrix fills</source>
+        <translation>Des participants simulés répondent, et la matrice de confusion se remplit</translation>
+    </message>
+    <message>
+        <source>The published protocol</source>
+        <translation>Le protocole publié</translation>
+    </message>
+    <message>
+        <source>Stimuli, practice and test trials: read it, and begin a study with it</source>
+        <translation>Stimuli, essais d’entraînement et de test&#xa0;: lisez-le, et commencez une étude avec lui</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>Motifs</translation>
+    </message>
+    <message>
+        <source>A rehearsed study</source>
+        <translation>Une étude répétée</translation>
+    </message>
+    <message>
+        <source>A shape as a vibration pattern: play it, or edit a copy</source>
+        <translation>Une forme comme motif de vibration&#xa0;: jouez-le, ou modifiez-en une copie</translation>
+    </message>
+    <message>
+        <source>A stiffness as a vibration pattern: play it, or edit a copy</source>
+        <translation>Une raideur comme motif de vibration&#xa0;: jouez-le, ou modifiez-en une copie</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3402,8 +3491,8 @@ Exemples&#xa0;:
         <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; ou &quot;xela&quot;</translation>
     </message>
     <message>
-        <source>Of a described array: show so many of the bytes that it sends</source>
-        <translation>D’une matrice décrite&#xa0;: montrer tant d’octets de ceux qu’elle envoie</translation>
+        <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
+        <translation>D’une matrice décrite&#xa0;: montrer au plus ce nombre des octets qu’elle envoie jusqu’à une seconde après sa première trame</translation>
     </message>
 </context>
 <context>
@@ -4491,6 +4580,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>GelText</name>
+    <message>
+        <source>Only %1 markers were found in the picture.</source>
+        <translation>Seuls %1 marqueurs ont été trouvés dans l’image.</translation>
+    </message>
+    <message>
+        <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
+        <translation>au moins %1 taches rondes de même taille&#xa0;; vérifiez channel, marker et diameter_px dans le fichier du capteur</translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5293,10 +5393,6 @@ Exemples&#xa0;:
         <translation>impossible de se connecter à %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 is no file</source>
-        <translation>%1 n’est pas un fichier</translation>
-    </message>
-    <message>
         <source>The link failed: %1.</source>
         <translation>La liaison a échoué&#xa0;: %1.</translation>
     </message>
@@ -5319,6 +5415,14 @@ Exemples&#xa0;:
     <message>
         <source>no answer</source>
         <translation>sans réponse</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file</source>
+        <translation>%1 est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>The other program closed the pipe.</source>
+        <translation>L’autre programme a fermé le tube.</translation>
     </message>
 </context>
 <context>
@@ -5376,22 +5480,6 @@ Exemples&#xa0;:
     <message>
         <source>a picture of the gel&apos;s markers</source>
         <translation>une image des marqueurs du gel</translation>
-    </message>
-    <message>
-        <source>The picture shows no markers: %1 were found.</source>
-        <translation>L’image ne montre pas de marqueurs&#xa0;: %1 ont été trouvés.</translation>
-    </message>
-    <message>
-        <source>at least %1 round %2 spots of one size</source>
-        <translation>au moins %1 taches rondes, %2 et de même taille</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>claires</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>sombres</translation>
     </message>
     <message>
         <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
@@ -5472,16 +5560,8 @@ Exemples&#xa0;:
         <translation>Fichier du capteur, de kind «&#xa0;marker_gel&#xa0;»</translation>
     </message>
     <message>
-        <source>Print what was found in all, without the table</source>
-        <translation>Afficher un bilan, sans le tableau</translation>
-    </message>
-    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>un bilan est affiché&#xa0;; --out écrit le tableau</translation>
-    </message>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>la caméra n’envoie plus d’images</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5566,6 +5646,33 @@ Exemples&#xa0;:
     <message>
         <source>Follow the markers of a flat gel in a video</source>
         <translation>Suivre les marqueurs d’un gel plat dans une vidéo</translation>
+    </message>
+    <message>
+        <source>Print a summary instead of the table</source>
+        <translation>Afficher un résumé au lieu du tableau</translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation>contact %1</translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s, centre (%3, %4) mm</source>
+        <translation>%1 s à %2 s, centre (%3, %4) mm</translation>
+    </message>
+    <message>
+        <source>, slip index up to %1</source>
+        <translation>, indice de glissement jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>, slip at %1 s</source>
+        <translation>, glissement à %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>la caméra n’envoie plus d’images</translation>
     </message>
 </context>
 <context>
@@ -6281,10 +6388,6 @@ Exemples&#xa0;:
         <translation>Cylindre&#xa0;: rayon %1, longueur %2</translation>
     </message>
     <message>
-        <source>Longest arrow: %1</source>
-        <translation>Flèche la plus longue&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Grid: %1</source>
         <translation>Grille&#xa0;: %1</translation>
     </message>
@@ -6322,6 +6425,29 @@ Aire %6</translation>
     <message>
         <source>Ellipses: 95 % regions of the centres</source>
         <translation>Les ellipses contiennent les centres à 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>By the joints: %1</source>
+        <extracomment>A force in the 3-D view, which is computed from the torques of the arm&apos;s joints</extracomment>
+        <translation>Par les articulations&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Moment: %1</source>
+        <extracomment>A moment in the 3-D view</extracomment>
+        <translation>Moment&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2°, range %3 … %4°</source>
+        <extracomment>A joint in the 3-D view: its name, its angle, the ends of its range</extracomment>
+        <translation>%1&#xa0;: %2°, plage %3 … %4°</translation>
+    </message>
+    <message>
+        <source>Force, longest arrow: %1</source>
+        <translation>Force, flèche la plus longue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Moment, longest arrow: %1</source>
+        <translation>Moment, flèche la plus longue&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -13154,10 +13280,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>TaxelsText</name>
     <message>
-        <source>&quot;%1&quot; are no hexadecimal bytes</source>
-        <translation>«&#xa0;%1&#xa0;» ne sont pas des octets hexadécimaux</translation>
-    </message>
-    <message>
         <source>up to %1 bytes, as &quot;AA 55&quot;</source>
         <translation>au plus %1 octets, comme «&#xa0;AA 55&#xa0;»</translation>
     </message>
@@ -13363,20 +13485,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>sans seuil, on ne sait pas quels taxels sont touchés</translation>
     </message>
     <message>
-        <source>threshold = &quot;a load in the unit of the values&quot;</source>
-        <translation>threshold = &quot;une charge dans l’unité des valeurs&quot;</translation>
-    </message>
-    <message>
         <source>opening was cancelled</source>
         <translation>l’ouverture a été annulée</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames came for the rest of the array</source>
-        <translation>seulement %1 trames sur %2 sont venues pour le repos de la matrice</translation>
-    </message>
-    <message>
-        <source>a sensor that sends, as the file describes it</source>
-        <translation>un capteur qui envoie, comme le fichier le décrit</translation>
     </message>
     <message>
         <source>numbers from 0 to %1, and at least one place with a taxel</source>
@@ -13385,6 +13495,22 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>numbers from 0 to %1, each once</source>
         <translation>des nombres de 0 à %1, chacun une fois</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of hexadecimal bytes</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une liste d’octets hexadécimaux</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = un nombre dans l’unité des valeurs</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames arrived while the tare was measured</source>
+        <translation>seules %1 trames sur %2 sont arrivées pendant la mesure de la tare</translation>
+    </message>
+    <message>
+        <source>frames as the file describes; check with teleta devices --probe FILE</source>
+        <translation>des trames telles que le fichier les décrit&#xa0;; vérifiez avec teleta devices --probe FILE</translation>
     </message>
 </context>
 <context>
@@ -15718,10 +15844,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::calibrate::StepList</name>
     <message>
-        <source>%1 of %2 running</source>
-        <translation>%1 sur %2 en cours</translation>
-    </message>
-    <message>
         <source>running</source>
         <translation>en cours</translation>
     </message>
@@ -15753,6 +15875,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>%1. %2: %3</source>
         <comment>number, name and state of a step</comment>
         <translation>%1. %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>running: %1 of %2</source>
+        <translation>en cours&#xa0;: %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -16295,6 +16421,13 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::DemoCard</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>Fait. %1</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::DeviceStrip</name>
     <message>
         <source>Devices</source>
@@ -16353,6 +16486,45 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>From sensor read to screen: %1 ms</source>
         <translation>De la lecture à l’écran&#xa0;: %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::FirstSteps</name>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
+    </message>
+    <message>
+        <source>Hide the first steps; the handbook has them</source>
+        <translation>Masquer les premiers pas&#xa0;; le manuel les contient</translation>
+    </message>
+    <message>
+        <source>Hide the first steps</source>
+        <translation>Masquer les premiers pas</translation>
+    </message>
+    <message>
+        <source>Touch something</source>
+        <translation>Touchez quelque chose</translation>
+    </message>
+    <message>
+        <source>A simulated arm touches five materials: contact, force, stiffness</source>
+        <translation>Un bras simulé touche cinq matériaux&#xa0;: contact, force, raideur</translation>
+    </message>
+    <message>
+        <source>Say it with a pattern</source>
+        <translation>Dites-le par un motif</translation>
+    </message>
+    <message>
+        <source>Open a built-in pattern and play it with Space</source>
+        <translation>Ouvrez un motif intégré et jouez-le avec Espace</translation>
+    </message>
+    <message>
+        <source>Watch a study</source>
+        <translation>Observez une étude</translation>
+    </message>
+    <message>
+        <source>Simulated participants answer, and the confusion matrix fills</source>
+        <translation>Des participants simulés répondent, et la matrice de confusion se remplit</translation>
     </message>
 </context>
 <context>
@@ -17122,10 +17294,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
-        <source>The ladders could not be measured.</source>
-        <translation>Les échelles n’ont pas pu être mesurées.</translation>
-    </message>
-    <message>
         <source>The saved costs cannot be read.</source>
         <translation>Les coûts mesurés auparavant ne peuvent pas être lus.</translation>
     </message>
@@ -17133,22 +17301,16 @@ Lancez teleta-site --help pour en savoir plus.
         <source>The costs cannot be saved.</source>
         <translation>Les coûts mesurés ne peuvent pas être conservés.</translation>
     </message>
+    <message>
+        <source>The jobs could not be measured.</source>
+        <translation>Les tâches n’ont pas pu être mesurées.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CostPage</name>
     <message>
-        <source>%1 (not measured)</source>
-        <comment>name of a ladder</comment>
-        <translation>%1 (non mesurée)</translation>
-    </message>
-    <message>
         <source>Error: %1.</source>
         <translation>Erreur&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 (frontier)</source>
-        <comment>name of a rung</comment>
-        <translation>%1 (front de Pareto)</translation>
     </message>
     <message>
         <source>refused: too noisy</source>
@@ -17157,10 +17319,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Preparing…</source>
         <translation>Préparation…</translation>
-    </message>
-    <message>
-        <source>Measure the ladder %1 first.</source>
-        <translation>Mesurez d’abord l’échelle %1.</translation>
     </message>
     <message>
         <source>%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).</source>
@@ -17175,44 +17333,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Préparation de %1…</translation>
     </message>
     <message>
-        <source>The rung %1 cannot be used.</source>
-        <translation>L’échelon %1 ne peut pas être utilisé.</translation>
-    </message>
-    <message>
-        <source>Ladders</source>
-        <translation>Échelles</translation>
-    </message>
-    <message>
-        <source>Ladders of rungs from cheap to exact</source>
-        <translation>Échelles d’échelons, du moins coûteux au plus exact</translation>
-    </message>
-    <message>
-        <source>&amp;Measure this ladder</source>
-        <translation>&amp;Mesurer cette échelle</translation>
-    </message>
-    <message>
-        <source>Measure &amp;all ladders</source>
-        <translation>Mesurer &amp;toutes les échelles</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
         <translation>Non mesurée sur cette machine</translation>
-    </message>
-    <message>
-        <source>Measure this ladder</source>
-        <translation>Mesurer cette échelle</translation>
-    </message>
-    <message>
-        <source>Measure all ladders</source>
-        <translation>Mesurer toutes les échelles</translation>
-    </message>
-    <message>
-        <source>Rung</source>
-        <translation>Échelon</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -17239,20 +17365,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Temps 99&#xa0;%</translation>
     </message>
     <message>
-        <source>Rungs with their errors and times</source>
-        <translation>Échelons avec leurs erreurs et leurs temps</translation>
-    </message>
-    <message>
         <source>Camera in use</source>
         <translation>Caméra utilisée</translation>
-    </message>
-    <message>
-        <source>&amp;Rung in use</source>
-        <translation>Échelo&amp;n utilisé</translation>
-    </message>
-    <message>
-        <source>Rung that finds the contacts</source>
-        <translation>Échelon qui trouve les contacts</translation>
     </message>
     <message>
         <source>Time of a frame, now</source>
@@ -17265,10 +17379,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source> ms a frame</source>
         <translation> ms par image</translation>
-    </message>
-    <message>
-        <source>&amp;Use the best rung within it</source>
-        <translation>&amp;Utiliser le meilleur échelon possible</translation>
     </message>
     <message>
         <source>No camera is shown on the page Operate.</source>
@@ -17291,10 +17401,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Arrêt en cours…</translation>
     </message>
     <message>
-        <source>No rung is fast enough: only one frame in 100 may take longer.</source>
-        <translation>Aucun échelon n’est aussi rapide&#xa0;: une image sur 100 peut prendre plus longtemps.</translation>
-    </message>
-    <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>Dure quelques minutes&#xa0;; la console reste utilisable entre-temps</translation>
     </message>
@@ -17305,6 +17411,80 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Fastest: %1, %2 times the limit (%3: %4).</source>
         <translation>Le plus rapide&#xa0;: %1, %2 fois la limite (%3&#xa0;: %4).</translation>
+    </message>
+    <message>
+        <source>%1 (not measured)</source>
+        <comment>name of a job</comment>
+        <translation>%1 (non mesurée)</translation>
+    </message>
+    <message>
+        <source>%1 (frontier)</source>
+        <comment>name of a setting</comment>
+        <translation>%1 (front de Pareto)</translation>
+    </message>
+    <message>
+        <source>Measure &quot;%1&quot; first.</source>
+        <translation>Mesurez d’abord «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>No setting is fast enough: only one frame in 100 may take longer.</source>
+        <translation>Aucun réglage n’est assez rapide&#xa0;: une image sur 100 seulement peut prendre plus de temps.</translation>
+    </message>
+    <message>
+        <source>The setting %1 cannot be used.</source>
+        <translation>Le réglage %1 ne peut pas être utilisé.</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Jobs that can be done fast or exactly</source>
+        <translation>Tâches qui peuvent se faire vite ou exactement</translation>
+    </message>
+    <message>
+        <source>&amp;Measure this job</source>
+        <translation>&amp;Mesurer cette tâche</translation>
+    </message>
+    <message>
+        <source>Measure &amp;all jobs</source>
+        <translation>Mesurer &amp;toutes les tâches</translation>
+    </message>
+    <message>
+        <source>Measure this job</source>
+        <translation>Mesurer cette tâche</translation>
+    </message>
+    <message>
+        <source>Measure all jobs</source>
+        <translation>Mesurer toutes les tâches</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Settings with their errors and times</source>
+        <translation>Réglages avec leurs erreurs et leurs temps</translation>
+    </message>
+    <message>
+        <source>&amp;Setting in use</source>
+        <translation>&amp;Réglage utilisé</translation>
+    </message>
+    <message>
+        <source>Setting that finds the contacts</source>
+        <translation>Réglage qui trouve les contacts</translation>
+    </message>
+    <message>
+        <source>&amp;Use the best setting within it</source>
+        <translation>&amp;Utiliser le meilleur réglage dans ce budget</translation>
+    </message>
+    <message>
+        <source>Choose a setting in the table or the chart to read what it costs and gives.</source>
+        <translation>Choisissez un réglage dans le tableau ou le graphique pour lire ce qu’il coûte et apporte.</translation>
     </message>
 </context>
 <context>
@@ -18499,10 +18679,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Coût</translation>
     </message>
     <message>
-        <source>What accuracy costs in time on this machine, and the rung that the camera uses</source>
-        <translation>Ce que la précision coûte en temps sur cette machine, et l’échelon qu’utilise la caméra</translation>
-    </message>
-    <message>
         <source>The page Patterns opens the edits.</source>
         <translation>La page Motifs ouvre les modifications.</translation>
     </message>
@@ -18659,6 +18835,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Rele&amp;ase control of the site</source>
         <translation>Ren&amp;dre la commande du site</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time on this machine, and the setting that the camera uses</source>
+        <translation>Ce que la précision coûte en temps sur cette machine, et le réglage que la caméra utilise</translation>
     </message>
 </context>
 <context>
@@ -18964,48 +19144,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Vérifiez le câble et l’alimentation&#xa0;; une nouvelle tentative est faite automatiquement.</translation>
     </message>
     <message>
-        <source>No source</source>
-        <translation>Pas de source</translation>
-    </message>
-    <message>
-        <source>Open a demo scene to look around, a recording, or a list of sources.</source>
-        <translation>Ouvrez une scène de démonstration pour découvrir, un enregistrement, ou une liste de sources.</translation>
-    </message>
-    <message>
-        <source>Open &amp;demo scene</source>
-        <translation>Ouvrir une scène de &amp;démo</translation>
-    </message>
-    <message>
-        <source>Open &amp;recording…</source>
-        <translation>Ouvrir un en&amp;registrement…</translation>
-    </message>
-    <message>
-        <source>Open source &amp;list…</source>
-        <translation>Ouvrir une &amp;liste de sources…</translation>
-    </message>
-    <message>
-        <source>A TOML file that lists scenes and recordings</source>
-        <translation>Un fichier TOML qui énumère des scènes et des enregistrements</translation>
-    </message>
-    <message>
         <source>joints</source>
         <translation>articulations</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
         <translation>Le bracelet n’a pas pu être ouvert.</translation>
-    </message>
-    <message>
-        <source>A simulated arm that touches five materials</source>
-        <translation>Un bras simulé qui touche cinq matériaux</translation>
-    </message>
-    <message>
-        <source>First &amp;steps</source>
-        <translation>&amp;Premiers pas</translation>
-    </message>
-    <message>
-        <source>The page of the handbook to begin with (F1)</source>
-        <translation>La page du manuel par laquelle commencer (F1)</translation>
     </message>
     <message>
         <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
@@ -19033,10 +19177,6 @@ Lancez teleta-site --help pour en savoir plus.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1&#xa0;: articulations</translation>
-    </message>
-    <message>
-        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
-        <translation>Un enregistrement de ce programme ou en MCAP, ou des trames d’une matrice : CSV, NumPy, HDF5, MATLAB, Tekscan</translation>
     </message>
 </context>
 <context>
@@ -20477,6 +20617,49 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::console::StartPage</name>
+    <message>
+        <source>No source</source>
+        <translation>Pas de source</translation>
+    </message>
+    <message>
+        <source>Open a demo scene to look around, a recording, or a list of sources.</source>
+        <translation>Ouvrez une scène de démonstration pour découvrir, un enregistrement, ou une liste de sources.</translation>
+    </message>
+    <message>
+        <source>First &amp;steps</source>
+        <translation>&amp;Premiers pas</translation>
+    </message>
+    <message>
+        <source>The page of the handbook to begin with (F1)</source>
+        <translation>La page du manuel par laquelle commencer (F1)</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo scene</source>
+        <translation>Ouvrir une scène de &amp;démo</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches five materials</source>
+        <translation>Un bras simulé qui touche cinq matériaux</translation>
+    </message>
+    <message>
+        <source>Open &amp;recording…</source>
+        <translation>Ouvrir un en&amp;registrement…</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>Un enregistrement de ce programme ou en MCAP, ou des trames d’une matrice : CSV, NumPy, HDF5, MATLAB, Tekscan</translation>
+    </message>
+    <message>
+        <source>Open source &amp;list…</source>
+        <translation>Ouvrir une &amp;liste de sources…</translation>
+    </message>
+    <message>
+        <source>A TOML file that lists scenes and recordings</source>
+        <translation>Un fichier TOML qui énumère des scènes et des enregistrements</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::StudyBracelet</name>
     <message>
         <source>Tactor %1: %2 → %3</source>
@@ -21111,12 +21294,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>erreur moyenne</translation>
     </message>
     <message>
-        <source>Mean error over time of the ladder %1</source>
-        <translation>Erreur moyenne selon le temps pour l’échelle %1</translation>
+        <source>Mean error over time of the settings of %1</source>
+        <translation>Erreur moyenne en fonction du temps, pour les réglages de %1</translation>
     </message>
     <message>
         <source>%1 (exact)</source>
-        <comment>name of a rung</comment>
+        <comment>name of a setting</comment>
         <translation>%1 (exact)</translation>
     </message>
 </context>
@@ -21739,12 +21922,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Annuler la dernière action sur la bibliothèque (Ctrl+Z dans la liste)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Un clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Le motif en gras, précédé d’une barre, est ouvert dans l’éditeur&#xa0;; les touches agissent sur celui qui est en surbrillance.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -24111,6 +24294,38 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Back to the initial view: everything from a corner</source>
         <translation>Retour au départ&#xa0;: tout, depuis un coin</translation>
+    </message>
+    <message>
+        <source>Trail of the tip</source>
+        <translation>Trace de la pointe</translation>
+    </message>
+    <message>
+        <source>Show where the arm&apos;s tip was in the last 5 s</source>
+        <translation>Montrer où la pointe du bras se trouvait pendant les 5 dernières secondes</translation>
+    </message>
+    <message>
+        <source>Joint limits</source>
+        <translation>Limites des articulations</translation>
+    </message>
+    <message>
+        <source>Show range and angle of each joint that is near the end of its range</source>
+        <translation>Montrer la plage et l’angle de chaque articulation proche du bout de sa plage</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Forces</translation>
+    </message>
+    <message>
+        <source>Show forces as arrows</source>
+        <translation>Montrer les forces par des flèches</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>Moments</translation>
+    </message>
+    <message>
+        <source>Show the moment of the loads on a flat array about their centre, as an arrow that turns</source>
+        <translation>Montrer le moment des charges d’une matrice plane autour de leur centre, par une flèche courbe</translation>
     </message>
 </context>
 <context>

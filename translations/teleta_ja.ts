@@ -2860,6 +2860,63 @@ Examples:
     </message>
 </context>
 <context>
+    <name>CostWords</name>
+    <message>
+        <source>twice as fast</source>
+        <translation>2倍速い</translation>
+    </message>
+    <message>
+        <source>%1 times as fast</source>
+        <translation>%1倍速い</translation>
+    </message>
+    <message>
+        <source>takes twice as long</source>
+        <translation>2倍の時間がかかる</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long</source>
+        <translation>%1倍の時間がかかる</translation>
+    </message>
+    <message>
+        <source>%1, %2 less exact</source>
+        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
+        <translation>%1、精度は%2低い</translation>
+    </message>
+    <message>
+        <source>%1, %2 more exact</source>
+        <translation>%1、精度は%2高い</translation>
+    </message>
+    <message>
+        <source>%1 is better in both: %2.</source>
+        <translation>%1は両方でまさります: %2。</translation>
+    </message>
+    <message>
+        <source>Faster: %1, %2.</source>
+        <translation>より速い: %1、%2。</translation>
+    </message>
+    <message>
+        <source>More exact: %1, %2.</source>
+        <translation>より正確: %1、%2。</translation>
+    </message>
+    <message>
+        <source>No setting is faster.</source>
+        <translation>これより速い設定はありません。</translation>
+    </message>
+    <message>
+        <source>No setting is more exact.</source>
+        <translation>これより正確な設定はありません。</translation>
+    </message>
+    <message>
+        <source>In use: %1. It takes %2 and is off by %3 on average.</source>
+        <extracomment>A setting, its time, its error</extracomment>
+        <translation>使用中: %1。%2かかり、平均で%3ずれます。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 and is off by %3 on average.</source>
+        <translation>%1は%2かかり、平均で%3ずれます。</translation>
+    </message>
+</context>
+<context>
     <name>CsvReaderText</name>
     <message>
         <source>opening was interrupted: %1</source>
@@ -3267,6 +3324,38 @@ Examples:
         <source>Camera</source>
         <translation>カメラ</translation>
     </message>
+    <message>
+        <source>Study</source>
+        <translation>実験</translation>
+    </message>
+    <message>
+        <source>Simulated participants answer, and the confusion matrix fills</source>
+        <translation>シミュレーションの参加者が回答し、混同行列が埋まります</translation>
+    </message>
+    <message>
+        <source>The published protocol</source>
+        <translation>論文のプロトコル</translation>
+    </message>
+    <message>
+        <source>Stimuli, practice and test trials: read it, and begin a study with it</source>
+        <translation>刺激、練習試行、テスト試行。内容を読み、それを使って実験を始めます</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>パターン</translation>
+    </message>
+    <message>
+        <source>A rehearsed study</source>
+        <translation>実験のリハーサル</translation>
+    </message>
+    <message>
+        <source>A shape as a vibration pattern: play it, or edit a copy</source>
+        <translation>形状を表す振動パターン。再生するか、コピーを編集します</translation>
+    </message>
+    <message>
+        <source>A stiffness as a vibration pattern: play it, or edit a copy</source>
+        <translation>剛性を表す振動パターン。再生するか、コピーを編集します</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3396,8 +3485,8 @@ Examples:
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;または&quot;xela&quot;</translation>
     </message>
     <message>
-        <source>Of a described array: show so many of the bytes that it sends</source>
-        <translation>記述されたアレイ: 届いたバイトのうち、この数を表示する</translation>
+        <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
+        <translation>記述されたアレイについて、最初のフレームの1秒後までに送られたバイトを最大この数だけ表示</translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4568,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelText</name>
+    <message>
+        <source>Only %1 markers were found in the picture.</source>
+        <translation>画像から見つかったマーカーは%1個だけです。</translation>
+    </message>
+    <message>
+        <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
+        <translation>同じ大きさの丸い点が%1個以上。センサーファイルのchannel、marker、diameter_pxを確認してください</translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5277,10 +5377,6 @@ Examples:
         <translation>%1 に接続できません: %2</translation>
     </message>
     <message>
-        <source>%1 is no file</source>
-        <translation>%1はファイルではありません</translation>
-    </message>
-    <message>
         <source>The link failed: %1.</source>
         <translation>リンクに障害が発生しました: %1。</translation>
     </message>
@@ -5303,6 +5399,14 @@ Examples:
     <message>
         <source>no answer</source>
         <translation>応答なし</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file</source>
+        <translation>%1はファイルではなくフォルダーです</translation>
+    </message>
+    <message>
+        <source>The other program closed the pipe.</source>
+        <translation>相手のプログラムがパイプを閉じました。</translation>
     </message>
 </context>
 <context>
@@ -5360,22 +5464,6 @@ Examples:
     <message>
         <source>a picture of the gel&apos;s markers</source>
         <translation>ゲルのマーカーの画像</translation>
-    </message>
-    <message>
-        <source>The picture shows no markers: %1 were found.</source>
-        <translation>画像にマーカーがありません。見つかった数: %1</translation>
-    </message>
-    <message>
-        <source>at least %1 round %2 spots of one size</source>
-        <translation>同じ大きさの丸い%2点が %1 個以上</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>明るい</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>暗い</translation>
     </message>
     <message>
         <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
@@ -5456,16 +5544,8 @@ Examples:
         <translation>kind が「marker_gel」のセンサーのファイル</translation>
     </message>
     <message>
-        <source>Print what was found in all, without the table</source>
-        <translation>表の代わりに全体の要約を表示する</translation>
-    </message>
-    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>要約は表示されるだけです。--out は表を書き出します</translation>
-    </message>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>カメラがフレームを送らなくなりました</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5550,6 +5630,33 @@ Examples:
     <message>
         <source>Follow the markers of a flat gel in a video</source>
         <translation>動画で平らなゲルのマーカーを追う</translation>
+    </message>
+    <message>
+        <source>Print a summary instead of the table</source>
+        <translation>表の代わりに要約を出力</translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation>接触 %1</translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s, centre (%3, %4) mm</source>
+        <translation>%1 s～%2 s、中心 (%3, %4) mm</translation>
+    </message>
+    <message>
+        <source>, slip index up to %1</source>
+        <translation>、滑り指標は最大%1</translation>
+    </message>
+    <message>
+        <source>, slip at %1 s</source>
+        <translation>、%1 sで滑り</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>カメラがフレームを送らなくなりました</translation>
     </message>
 </context>
 <context>
@@ -6265,10 +6372,6 @@ Examples:
         <translation>円筒: 半径 %1、長さ %2</translation>
     </message>
     <message>
-        <source>Longest arrow: %1</source>
-        <translation>最長の矢印: %1</translation>
-    </message>
-    <message>
         <source>Grid: %1</source>
         <translation>格子: %1</translation>
     </message>
@@ -6306,6 +6409,29 @@ x %4, y %5
     <message>
         <source>Ellipses: 95 % regions of the centres</source>
         <translation>楕円は95 %で中心を含みます</translation>
+    </message>
+    <message>
+        <source>By the joints: %1</source>
+        <extracomment>A force in the 3-D view, which is computed from the torques of the arm&apos;s joints</extracomment>
+        <translation>関節による: %1</translation>
+    </message>
+    <message>
+        <source>Moment: %1</source>
+        <extracomment>A moment in the 3-D view</extracomment>
+        <translation>モーメント: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2°, range %3 … %4°</source>
+        <extracomment>A joint in the 3-D view: its name, its angle, the ends of its range</extracomment>
+        <translation>%1: %2°、範囲 %3 … %4°</translation>
+    </message>
+    <message>
+        <source>Force, longest arrow: %1</source>
+        <translation>力、最も長い矢印: %1</translation>
+    </message>
+    <message>
+        <source>Moment, longest arrow: %1</source>
+        <translation>モーメント、最も長い矢印: %1</translation>
     </message>
 </context>
 <context>
@@ -13122,10 +13248,6 @@ Run teleta-site --help for more.
 <context>
     <name>TaxelsText</name>
     <message>
-        <source>&quot;%1&quot; are no hexadecimal bytes</source>
-        <translation>「%1」は16進のバイトではありません</translation>
-    </message>
-    <message>
         <source>up to %1 bytes, as &quot;AA 55&quot;</source>
         <translation>「AA 55」のように最大%1バイト</translation>
     </message>
@@ -13328,20 +13450,8 @@ Run teleta-site --help for more.
         <translation>しきい値がないと、どのタクセルが触れられているか分かりません</translation>
     </message>
     <message>
-        <source>threshold = &quot;a load in the unit of the values&quot;</source>
-        <translation>threshold = &quot;値の単位での荷重&quot;</translation>
-    </message>
-    <message>
         <source>opening was cancelled</source>
         <translation>開くことが取り消されました</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames came for the rest of the array</source>
-        <translation>アレイの静止値のためのフレームが%2個中%1個しか届きませんでした</translation>
-    </message>
-    <message>
-        <source>a sensor that sends, as the file describes it</source>
-        <translation>ファイルの記述どおりに送信するセンサー</translation>
     </message>
     <message>
         <source>numbers from 0 to %1, and at least one place with a taxel</source>
@@ -13350,6 +13460,22 @@ Run teleta-site --help for more.
     <message>
         <source>numbers from 0 to %1, each once</source>
         <translation>0から%1までの数を1回ずつ</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of hexadecimal bytes</source>
+        <translation>「%1」は16進数のバイトのリストではありません</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = 値の単位での数</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames arrived while the tare was measured</source>
+        <translation>ゼロ点の測定中に届いたフレームは%2個中%1個だけです</translation>
+    </message>
+    <message>
+        <source>frames as the file describes; check with teleta devices --probe FILE</source>
+        <translation>ファイルに記述されたとおりのフレーム。teleta devices --probe FILEで確認してください</translation>
     </message>
 </context>
 <context>
@@ -15677,10 +15803,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::calibrate::StepList</name>
     <message>
-        <source>%1 of %2 running</source>
-        <translation>%2 中 %1 を実行中</translation>
-    </message>
-    <message>
         <source>running</source>
         <translation>実行中</translation>
     </message>
@@ -15712,6 +15834,10 @@ Run teleta-site --help for more.
         <source>%1. %2: %3</source>
         <comment>number, name and state of a step</comment>
         <translation>%1. %2: %3</translation>
+    </message>
+    <message>
+        <source>running: %1 of %2</source>
+        <translation>実行中: %2個中%1個</translation>
     </message>
 </context>
 <context>
@@ -16252,6 +16378,13 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::DemoCard</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>完了。%1</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::DeviceStrip</name>
     <message>
         <source>Devices</source>
@@ -16310,6 +16443,45 @@ Run teleta-site --help for more.
     <message>
         <source>From sensor read to screen: %1 ms</source>
         <translation>読み取りから画面まで: %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::FirstSteps</name>
+    <message>
+        <source>First steps</source>
+        <translation>最初のステップ</translation>
+    </message>
+    <message>
+        <source>Hide the first steps; the handbook has them</source>
+        <translation>最初のステップを非表示にします。ハンドブックにもあります</translation>
+    </message>
+    <message>
+        <source>Hide the first steps</source>
+        <translation>最初のステップを非表示</translation>
+    </message>
+    <message>
+        <source>Touch something</source>
+        <translation>何かに触れます</translation>
+    </message>
+    <message>
+        <source>A simulated arm touches five materials: contact, force, stiffness</source>
+        <translation>シミュレーションのアームが5種類の材料に触れます: 接触、力、剛性</translation>
+    </message>
+    <message>
+        <source>Say it with a pattern</source>
+        <translation>パターンで伝えます</translation>
+    </message>
+    <message>
+        <source>Open a built-in pattern and play it with Space</source>
+        <translation>組み込みのパターンを開き、スペースキーで再生します</translation>
+    </message>
+    <message>
+        <source>Watch a study</source>
+        <translation>実験を見ます</translation>
+    </message>
+    <message>
+        <source>Simulated participants answer, and the confusion matrix fills</source>
+        <translation>シミュレーションの参加者が回答し、混同行列が埋まります</translation>
     </message>
 </context>
 <context>
@@ -17072,10 +17244,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
-        <source>The ladders could not be measured.</source>
-        <translation>ラダーを測定できませんでした。</translation>
-    </message>
-    <message>
         <source>The saved costs cannot be read.</source>
         <translation>以前に測定したコストを読み取れません。</translation>
     </message>
@@ -17083,22 +17251,16 @@ Run teleta-site --help for more.
         <source>The costs cannot be saved.</source>
         <translation>測定したコストを保存できません。</translation>
     </message>
+    <message>
+        <source>The jobs could not be measured.</source>
+        <translation>処理を測定できませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CostPage</name>
     <message>
-        <source>%1 (not measured)</source>
-        <comment>name of a ladder</comment>
-        <translation>%1 (未測定)</translation>
-    </message>
-    <message>
         <source>Error: %1.</source>
         <translation>誤差: %1。</translation>
-    </message>
-    <message>
-        <source>%1 (frontier)</source>
-        <comment>name of a rung</comment>
-        <translation>%1 (フロンティア)</translation>
     </message>
     <message>
         <source>refused: too noisy</source>
@@ -17107,10 +17269,6 @@ Run teleta-site --help for more.
     <message>
         <source>Preparing…</source>
         <translation>準備中…</translation>
-    </message>
-    <message>
-        <source>Measure the ladder %1 first.</source>
-        <translation>先にラダー %1 を測定してください。</translation>
     </message>
     <message>
         <source>%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).</source>
@@ -17125,44 +17283,12 @@ Run teleta-site --help for more.
         <translation>%1 を準備中…</translation>
     </message>
     <message>
-        <source>The rung %1 cannot be used.</source>
-        <translation>段 %1 は使用できません。</translation>
-    </message>
-    <message>
-        <source>Ladders</source>
-        <translation>ラダー</translation>
-    </message>
-    <message>
-        <source>Ladders of rungs from cheap to exact</source>
-        <translation>低コストから高精度までの段からなるラダー</translation>
-    </message>
-    <message>
-        <source>&amp;Measure this ladder</source>
-        <translation>このラダーを測定(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Measure &amp;all ladders</source>
-        <translation>すべてのラダーを測定(&amp;A)</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
         <translation>このマシンでは未測定</translation>
-    </message>
-    <message>
-        <source>Measure this ladder</source>
-        <translation>このラダーを測定</translation>
-    </message>
-    <message>
-        <source>Measure all ladders</source>
-        <translation>すべてのラダーを測定</translation>
-    </message>
-    <message>
-        <source>Rung</source>
-        <translation>段</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -17189,20 +17315,8 @@ Run teleta-site --help for more.
         <translation>99 %時間</translation>
     </message>
     <message>
-        <source>Rungs with their errors and times</source>
-        <translation>各段の誤差と時間</translation>
-    </message>
-    <message>
         <source>Camera in use</source>
         <translation>使用中のカメラ</translation>
-    </message>
-    <message>
-        <source>&amp;Rung in use</source>
-        <translation>使用中の段(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Rung that finds the contacts</source>
-        <translation>接触を検出する段</translation>
     </message>
     <message>
         <source>Time of a frame, now</source>
@@ -17215,10 +17329,6 @@ Run teleta-site --help for more.
     <message>
         <source> ms a frame</source>
         <translation> ms/フレーム</translation>
-    </message>
-    <message>
-        <source>&amp;Use the best rung within it</source>
-        <translation>予算内で最良の段を使用(&amp;U)</translation>
     </message>
     <message>
         <source>No camera is shown on the page Operate.</source>
@@ -17241,10 +17351,6 @@ Run teleta-site --help for more.
         <translation>終了しています…</translation>
     </message>
     <message>
-        <source>No rung is fast enough: only one frame in 100 may take longer.</source>
-        <translation>これほど速い段はありません: 超過が許されるのは100フレーム中1フレームまでです。</translation>
-    </message>
-    <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>数分かかります。その間もコンソールを使えます</translation>
     </message>
@@ -17255,6 +17361,80 @@ Run teleta-site --help for more.
     <message>
         <source>Fastest: %1, %2 times the limit (%3: %4).</source>
         <translation>最速: %1、限界 (%3: %4) の %2 倍です。</translation>
+    </message>
+    <message>
+        <source>%1 (not measured)</source>
+        <comment>name of a job</comment>
+        <translation>%1 (未測定)</translation>
+    </message>
+    <message>
+        <source>%1 (frontier)</source>
+        <comment>name of a setting</comment>
+        <translation>%1 (フロンティア)</translation>
+    </message>
+    <message>
+        <source>Measure &quot;%1&quot; first.</source>
+        <translation>先に「%1」を測定してください。</translation>
+    </message>
+    <message>
+        <source>No setting is fast enough: only one frame in 100 may take longer.</source>
+        <translation>十分に速い設定がありません。これより長くかかってよいのは100フレーム中1フレームだけです。</translation>
+    </message>
+    <message>
+        <source>The setting %1 cannot be used.</source>
+        <translation>設定%1は使用できません。</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>処理</translation>
+    </message>
+    <message>
+        <source>Jobs that can be done fast or exactly</source>
+        <translation>速く、または正確に行える処理</translation>
+    </message>
+    <message>
+        <source>&amp;Measure this job</source>
+        <translation>この処理を測定(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Measure &amp;all jobs</source>
+        <translation>すべての処理を測定(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Measure this job</source>
+        <translation>この処理を測定</translation>
+    </message>
+    <message>
+        <source>Measure all jobs</source>
+        <translation>すべての処理を測定</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Settings with their errors and times</source>
+        <translation>設定とその誤差および時間</translation>
+    </message>
+    <message>
+        <source>&amp;Setting in use</source>
+        <translation>使用中の設定(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Setting that finds the contacts</source>
+        <translation>接触を見つける設定</translation>
+    </message>
+    <message>
+        <source>&amp;Use the best setting within it</source>
+        <translation>この予算内の最良の設定を使用(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Choose a setting in the table or the chart to read what it costs and gives.</source>
+        <translation>表またはチャートで設定を選ぶと、そのコストと効果が表示されます。</translation>
     </message>
 </context>
 <context>
@@ -18447,10 +18627,6 @@ Run teleta-site --help for more.
         <translation>コスト</translation>
     </message>
     <message>
-        <source>What accuracy costs in time on this machine, and the rung that the camera uses</source>
-        <translation>このマシンで精度にかかる時間のコストと、カメラが使用する段</translation>
-    </message>
-    <message>
         <source>The page Patterns opens the edits.</source>
         <translation>パターンページで編集内容を開きます。</translation>
     </message>
@@ -18607,6 +18783,10 @@ Run teleta-site --help for more.
     <message>
         <source>Rele&amp;ase control of the site</source>
         <translation>サイトの操作権を手放す(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time on this machine, and the setting that the camera uses</source>
+        <translation>このコンピューターで精度にかかる時間と、カメラが使う設定</translation>
     </message>
 </context>
 <context>
@@ -18911,48 +19091,12 @@ Run teleta-site --help for more.
         <translation>ケーブルと電源を確認してください。自動的に再試行します。</translation>
     </message>
     <message>
-        <source>No source</source>
-        <translation>ソースなし</translation>
-    </message>
-    <message>
-        <source>Open a demo scene to look around, a recording, or a list of sources.</source>
-        <translation>デモシーン、記録、またはソースリストを開いてください。</translation>
-    </message>
-    <message>
-        <source>Open &amp;demo scene</source>
-        <translation>デモシーンを開く(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Open &amp;recording…</source>
-        <translation>記録を開く(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Open source &amp;list…</source>
-        <translation>ソースリストを開く(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>A TOML file that lists scenes and recordings</source>
-        <translation>シーンと記録を列挙したTOMLファイル</translation>
-    </message>
-    <message>
         <source>joints</source>
         <translation>関節</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
         <translation>ブレスレットを開けませんでした。</translation>
-    </message>
-    <message>
-        <source>A simulated arm that touches five materials</source>
-        <translation>5種類の材料に触れるシミュレーションアーム</translation>
-    </message>
-    <message>
-        <source>First &amp;steps</source>
-        <translation>はじめに(&amp;S)</translation>
-    </message>
-    <message>
-        <source>The page of the handbook to begin with (F1)</source>
-        <translation>最初に読むハンドブックのページ (F1)</translation>
     </message>
     <message>
         <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
@@ -18980,10 +19124,6 @@ Run teleta-site --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1：関節</translation>
-    </message>
-    <message>
-        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
-        <translation>このプログラムの記録かMCAP、またはアレイのフレームの記録：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
 </context>
 <context>
@@ -20416,6 +20556,49 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::StartPage</name>
+    <message>
+        <source>No source</source>
+        <translation>ソースなし</translation>
+    </message>
+    <message>
+        <source>Open a demo scene to look around, a recording, or a list of sources.</source>
+        <translation>デモシーン、記録、またはソースリストを開いてください。</translation>
+    </message>
+    <message>
+        <source>First &amp;steps</source>
+        <translation>はじめに(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The page of the handbook to begin with (F1)</source>
+        <translation>最初に読むハンドブックのページ (F1)</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo scene</source>
+        <translation>デモシーンを開く(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches five materials</source>
+        <translation>5種類の材料に触れるシミュレーションアーム</translation>
+    </message>
+    <message>
+        <source>Open &amp;recording…</source>
+        <translation>記録を開く(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>このプログラムの記録かMCAP、またはアレイのフレームの記録：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
+    </message>
+    <message>
+        <source>Open source &amp;list…</source>
+        <translation>ソースリストを開く(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>A TOML file that lists scenes and recordings</source>
+        <translation>シーンと記録を列挙したTOMLファイル</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::StudyBracelet</name>
     <message>
         <source>Tactor %1: %2 → %3</source>
@@ -21050,12 +21233,12 @@ Run teleta-site --help for more.
         <translation>平均誤差</translation>
     </message>
     <message>
-        <source>Mean error over time of the ladder %1</source>
-        <translation>ラダー %1 の時間と平均誤差</translation>
+        <source>Mean error over time of the settings of %1</source>
+        <translation>%1の各設定の時間に対する平均誤差</translation>
     </message>
     <message>
         <source>%1 (exact)</source>
-        <comment>name of a rung</comment>
+        <comment>name of a setting</comment>
         <translation>%1 (正確)</translation>
     </message>
 </context>
@@ -21678,12 +21861,12 @@ Run teleta-site --help for more.
         <translation>ライブラリへの最後の操作を元に戻します (一覧でCtrl+Z)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;太字で、前に印のあるパターンがエディターで開いています。キー操作は、強調表示されているパターンに対するものです。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
         <translation>&lt;p&gt;クリックまたは&lt;b&gt;Enter&lt;/b&gt;でパターンを開きます。組み込みパターンは変更されず、最初の編集でコピーが作られます。自作パターンでは、&lt;b&gt;F2&lt;/b&gt;で名前の変更、&lt;b&gt;Ctrl+D&lt;/b&gt;で複製、&lt;b&gt;Delete&lt;/b&gt;で削除、&lt;b&gt;Ctrl+Z&lt;/b&gt;で元に戻します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;太字で、前に棒が付いているパターンがエディターで開いています。キーは強調表示されたパターンに作用します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -24044,6 +24227,38 @@ Double-click to type the upper end.</source>
     <message>
         <source>Back to the initial view: everything from a corner</source>
         <translation>最初の表示に戻ります: 全体を角から表示</translation>
+    </message>
+    <message>
+        <source>Trail of the tip</source>
+        <translation>先端の軌跡</translation>
+    </message>
+    <message>
+        <source>Show where the arm&apos;s tip was in the last 5 s</source>
+        <translation>アームの先端が直近の5秒間にいた場所を表示</translation>
+    </message>
+    <message>
+        <source>Joint limits</source>
+        <translation>関節の限界</translation>
+    </message>
+    <message>
+        <source>Show range and angle of each joint that is near the end of its range</source>
+        <translation>範囲の端に近い各関節の範囲と角度を表示</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Show forces as arrows</source>
+        <translation>力を矢印で表示</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>モーメント</translation>
+    </message>
+    <message>
+        <source>Show the moment of the loads on a flat array about their centre, as an arrow that turns</source>
+        <translation>平らなアレイの荷重が中心のまわりに作るモーメントを曲がった矢印で表示</translation>
     </message>
 </context>
 <context>

@@ -2860,6 +2860,63 @@ Examples:
     </message>
 </context>
 <context>
+    <name>CostWords</name>
+    <message>
+        <source>twice as fast</source>
+        <translation>快一倍</translation>
+    </message>
+    <message>
+        <source>%1 times as fast</source>
+        <translation>速度为 %1 倍</translation>
+    </message>
+    <message>
+        <source>takes twice as long</source>
+        <translation>用时为两倍</translation>
+    </message>
+    <message>
+        <source>takes %1 times as long</source>
+        <translation>用时为 %1 倍</translation>
+    </message>
+    <message>
+        <source>%1, %2 less exact</source>
+        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
+        <translation>%1，精度低 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 more exact</source>
+        <translation>%1，精度高 %2</translation>
+    </message>
+    <message>
+        <source>%1 is better in both: %2.</source>
+        <translation>%1 在两方面都更好：%2。</translation>
+    </message>
+    <message>
+        <source>Faster: %1, %2.</source>
+        <translation>更快：%1，%2。</translation>
+    </message>
+    <message>
+        <source>More exact: %1, %2.</source>
+        <translation>更精确：%1，%2。</translation>
+    </message>
+    <message>
+        <source>No setting is faster.</source>
+        <translation>没有更快的设置。</translation>
+    </message>
+    <message>
+        <source>No setting is more exact.</source>
+        <translation>没有更精确的设置。</translation>
+    </message>
+    <message>
+        <source>In use: %1. It takes %2 and is off by %3 on average.</source>
+        <extracomment>A setting, its time, its error</extracomment>
+        <translation>正在使用：%1。用时 %2，平均偏差 %3。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 and is off by %3 on average.</source>
+        <translation>%1 用时 %2，平均偏差 %3。</translation>
+    </message>
+</context>
+<context>
     <name>CsvReaderText</name>
     <message>
         <source>opening was interrupted: %1</source>
@@ -3267,6 +3324,38 @@ Examples:
         <source>Camera</source>
         <translation>相机</translation>
     </message>
+    <message>
+        <source>Study</source>
+        <translation>研究</translation>
+    </message>
+    <message>
+        <source>Simulated participants answer, and the confusion matrix fills</source>
+        <translation>模拟被试作出回答，混淆矩阵逐渐填满</translation>
+    </message>
+    <message>
+        <source>The published protocol</source>
+        <translation>已发表的方案</translation>
+    </message>
+    <message>
+        <source>Stimuli, practice and test trials: read it, and begin a study with it</source>
+        <translation>刺激、练习试次和测试试次：阅读它，并用它开始一项研究</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>图案</translation>
+    </message>
+    <message>
+        <source>A rehearsed study</source>
+        <translation>研究的预演</translation>
+    </message>
+    <message>
+        <source>A shape as a vibration pattern: play it, or edit a copy</source>
+        <translation>以振动图案表示的形状：可播放，或编辑其副本</translation>
+    </message>
+    <message>
+        <source>A stiffness as a vibration pattern: play it, or edit a copy</source>
+        <translation>以振动图案表示的刚度：可播放，或编辑其副本</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3396,8 +3485,8 @@ Examples:
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot; 或 &quot;xela&quot;</translation>
     </message>
     <message>
-        <source>Of a described array: show so many of the bytes that it sends</source>
-        <translation>用文件描述的阵列：显示它发送的字节中的这么多个</translation>
+        <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
+        <translation>对于已描述的阵列：最多显示其在第一帧之后一秒内发送的这么多字节</translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4568,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelText</name>
+    <message>
+        <source>Only %1 markers were found in the picture.</source>
+        <translation>图像中只找到 %1 个标记。</translation>
+    </message>
+    <message>
+        <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
+        <translation>至少 %1 个大小相同的圆点；请检查传感器文件中的 channel、marker 和 diameter_px</translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5277,10 +5377,6 @@ Examples:
         <translation>无法连接到 %1：%2</translation>
     </message>
     <message>
-        <source>%1 is no file</source>
-        <translation>%1 不是文件</translation>
-    </message>
-    <message>
         <source>The link failed: %1.</source>
         <translation>链路故障：%1。</translation>
     </message>
@@ -5303,6 +5399,14 @@ Examples:
     <message>
         <source>no answer</source>
         <translation>没有应答</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file</source>
+        <translation>%1 是文件夹，不是文件</translation>
+    </message>
+    <message>
+        <source>The other program closed the pipe.</source>
+        <translation>另一程序关闭了管道。</translation>
     </message>
 </context>
 <context>
@@ -5360,22 +5464,6 @@ Examples:
     <message>
         <source>a picture of the gel&apos;s markers</source>
         <translation>凝胶标记的图像</translation>
-    </message>
-    <message>
-        <source>The picture shows no markers: %1 were found.</source>
-        <translation>图像中没有标记：找到 %1 个。</translation>
-    </message>
-    <message>
-        <source>at least %1 round %2 spots of one size</source>
-        <translation>至少 %1 个大小相同的圆形%2点</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>亮</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>暗</translation>
     </message>
     <message>
         <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
@@ -5456,16 +5544,8 @@ Examples:
         <translation>kind 为“marker_gel”的传感器文件</translation>
     </message>
     <message>
-        <source>Print what was found in all, without the table</source>
-        <translation>只输出汇总，不输出表格</translation>
-    </message>
-    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>汇总只会输出到屏幕；--out 写出表格</translation>
-    </message>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>相机已停止发送帧</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5550,6 +5630,33 @@ Examples:
     <message>
         <source>Follow the markers of a flat gel in a video</source>
         <translation>在视频中跟踪平面凝胶的标记</translation>
+    </message>
+    <message>
+        <source>Print a summary instead of the table</source>
+        <translation>输出摘要而不是表格</translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation>接触 %1</translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s, centre (%3, %4) mm</source>
+        <translation>%1 s 至 %2 s，中心 (%3, %4) mm</translation>
+    </message>
+    <message>
+        <source>, slip index up to %1</source>
+        <translation>，滑动指数最高 %1</translation>
+    </message>
+    <message>
+        <source>, slip at %1 s</source>
+        <translation>，%1 s 时滑动</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>相机已停止发送图像</translation>
     </message>
 </context>
 <context>
@@ -6265,10 +6372,6 @@ Examples:
         <translation>圆柱：半径 %1，长度 %2</translation>
     </message>
     <message>
-        <source>Longest arrow: %1</source>
-        <translation>最长箭头：%1</translation>
-    </message>
-    <message>
         <source>Grid: %1</source>
         <translation>网格：%1</translation>
     </message>
@@ -6306,6 +6409,29 @@ x %4，y %5
     <message>
         <source>Ellipses: 95 % regions of the centres</source>
         <translation>椭圆以 95 % 的概率包含中心</translation>
+    </message>
+    <message>
+        <source>By the joints: %1</source>
+        <extracomment>A force in the 3-D view, which is computed from the torques of the arm&apos;s joints</extracomment>
+        <translation>由关节得出：%1</translation>
+    </message>
+    <message>
+        <source>Moment: %1</source>
+        <extracomment>A moment in the 3-D view</extracomment>
+        <translation>力矩：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2°, range %3 … %4°</source>
+        <extracomment>A joint in the 3-D view: its name, its angle, the ends of its range</extracomment>
+        <translation>%1：%2°，范围 %3 … %4°</translation>
+    </message>
+    <message>
+        <source>Force, longest arrow: %1</source>
+        <translation>力，最长箭头：%1</translation>
+    </message>
+    <message>
+        <source>Moment, longest arrow: %1</source>
+        <translation>力矩，最长箭头：%1</translation>
     </message>
 </context>
 <context>
@@ -13122,10 +13248,6 @@ Run teleta-site --help for more.
 <context>
     <name>TaxelsText</name>
     <message>
-        <source>&quot;%1&quot; are no hexadecimal bytes</source>
-        <translation>“%1”不是十六进制字节</translation>
-    </message>
-    <message>
         <source>up to %1 bytes, as &quot;AA 55&quot;</source>
         <translation>最多 %1 个字节，如“AA 55”</translation>
     </message>
@@ -13328,20 +13450,8 @@ Run teleta-site --help for more.
         <translation>没有阈值就无法知道哪些触觉单元被触碰</translation>
     </message>
     <message>
-        <source>threshold = &quot;a load in the unit of the values&quot;</source>
-        <translation>threshold = &quot;以值的单位表示的载荷&quot;</translation>
-    </message>
-    <message>
         <source>opening was cancelled</source>
         <translation>打开已取消</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames came for the rest of the array</source>
-        <translation>用于阵列静止值的 %2 帧中只收到 %1 帧</translation>
-    </message>
-    <message>
-        <source>a sensor that sends, as the file describes it</source>
-        <translation>按文件描述发送数据的传感器</translation>
     </message>
     <message>
         <source>numbers from 0 to %1, and at least one place with a taxel</source>
@@ -13350,6 +13460,22 @@ Run teleta-site --help for more.
     <message>
         <source>numbers from 0 to %1, each once</source>
         <translation>0 到 %1 的数，每个一次</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of hexadecimal bytes</source>
+        <translation>“%1”不是十六进制字节列表</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = 以数值的单位表示的数</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames arrived while the tare was measured</source>
+        <translation>测量去皮值期间，%2 帧中只收到 %1 帧</translation>
+    </message>
+    <message>
+        <source>frames as the file describes; check with teleta devices --probe FILE</source>
+        <translation>与文件描述一致的帧；请用 teleta devices --probe FILE 检查</translation>
     </message>
 </context>
 <context>
@@ -15677,10 +15803,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::calibrate::StepList</name>
     <message>
-        <source>%1 of %2 running</source>
-        <translation>正在进行 %1/%2</translation>
-    </message>
-    <message>
         <source>running</source>
         <translation>进行中</translation>
     </message>
@@ -15712,6 +15834,10 @@ Run teleta-site --help for more.
         <source>%1. %2: %3</source>
         <comment>number, name and state of a step</comment>
         <translation>%1. %2：%3</translation>
+    </message>
+    <message>
+        <source>running: %1 of %2</source>
+        <translation>进行中：%1/%2</translation>
     </message>
 </context>
 <context>
@@ -16252,6 +16378,13 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::chrome::DemoCard</name>
+    <message>
+        <source>Done. %1</source>
+        <translation>已完成。%1</translation>
+    </message>
+</context>
+<context>
     <name>teleta::chrome::DeviceStrip</name>
     <message>
         <source>Devices</source>
@@ -16310,6 +16443,45 @@ Run teleta-site --help for more.
     <message>
         <source>From sensor read to screen: %1 ms</source>
         <translation>从读取到屏幕：%1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::chrome::FirstSteps</name>
+    <message>
+        <source>First steps</source>
+        <translation>入门步骤</translation>
+    </message>
+    <message>
+        <source>Hide the first steps; the handbook has them</source>
+        <translation>隐藏入门步骤；手册中有这些内容</translation>
+    </message>
+    <message>
+        <source>Hide the first steps</source>
+        <translation>隐藏入门步骤</translation>
+    </message>
+    <message>
+        <source>Touch something</source>
+        <translation>触碰物体</translation>
+    </message>
+    <message>
+        <source>A simulated arm touches five materials: contact, force, stiffness</source>
+        <translation>模拟机械臂触碰五种材料：接触、力、刚度</translation>
+    </message>
+    <message>
+        <source>Say it with a pattern</source>
+        <translation>用图案表达</translation>
+    </message>
+    <message>
+        <source>Open a built-in pattern and play it with Space</source>
+        <translation>打开一个内置图案，按空格键播放</translation>
+    </message>
+    <message>
+        <source>Watch a study</source>
+        <translation>观看一项研究</translation>
+    </message>
+    <message>
+        <source>Simulated participants answer, and the confusion matrix fills</source>
+        <translation>模拟被试作出回答，混淆矩阵逐渐填满</translation>
     </message>
 </context>
 <context>
@@ -17072,10 +17244,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::CostMeasuring</name>
     <message>
-        <source>The ladders could not be measured.</source>
-        <translation>无法测量各阶梯。</translation>
-    </message>
-    <message>
         <source>The saved costs cannot be read.</source>
         <translation>无法读取先前测得的代价。</translation>
     </message>
@@ -17083,22 +17251,16 @@ Run teleta-site --help for more.
         <source>The costs cannot be saved.</source>
         <translation>无法保存测得的代价。</translation>
     </message>
+    <message>
+        <source>The jobs could not be measured.</source>
+        <translation>无法测量各任务。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CostPage</name>
     <message>
-        <source>%1 (not measured)</source>
-        <comment>name of a ladder</comment>
-        <translation>%1（未测量）</translation>
-    </message>
-    <message>
         <source>Error: %1.</source>
         <translation>误差：%1。</translation>
-    </message>
-    <message>
-        <source>%1 (frontier)</source>
-        <comment>name of a rung</comment>
-        <translation>%1（前沿）</translation>
     </message>
     <message>
         <source>refused: too noisy</source>
@@ -17107,10 +17269,6 @@ Run teleta-site --help for more.
     <message>
         <source>Preparing…</source>
         <translation>正在准备…</translation>
-    </message>
-    <message>
-        <source>Measure the ladder %1 first.</source>
-        <translation>请先测量阶梯 %1。</translation>
     </message>
     <message>
         <source>%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).</source>
@@ -17125,44 +17283,12 @@ Run teleta-site --help for more.
         <translation>正在准备 %1…</translation>
     </message>
     <message>
-        <source>The rung %1 cannot be used.</source>
-        <translation>无法使用档级 %1。</translation>
-    </message>
-    <message>
-        <source>Ladders</source>
-        <translation>阶梯</translation>
-    </message>
-    <message>
-        <source>Ladders of rungs from cheap to exact</source>
-        <translation>从低代价到高精度的各阶梯</translation>
-    </message>
-    <message>
-        <source>&amp;Measure this ladder</source>
-        <translation>测量此阶梯(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Measure &amp;all ladders</source>
-        <translation>测量所有阶梯(&amp;A)</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
         <translation>未在本机上测量</translation>
-    </message>
-    <message>
-        <source>Measure this ladder</source>
-        <translation>测量此阶梯</translation>
-    </message>
-    <message>
-        <source>Measure all ladders</source>
-        <translation>测量所有阶梯</translation>
-    </message>
-    <message>
-        <source>Rung</source>
-        <translation>档级</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -17189,20 +17315,8 @@ Run teleta-site --help for more.
         <translation>99 % 时间</translation>
     </message>
     <message>
-        <source>Rungs with their errors and times</source>
-        <translation>各档级及其误差和时间</translation>
-    </message>
-    <message>
         <source>Camera in use</source>
         <translation>使用中的相机</translation>
-    </message>
-    <message>
-        <source>&amp;Rung in use</source>
-        <translation>使用的档级(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Rung that finds the contacts</source>
-        <translation>用于检测接触的档级</translation>
     </message>
     <message>
         <source>Time of a frame, now</source>
@@ -17215,10 +17329,6 @@ Run teleta-site --help for more.
     <message>
         <source> ms a frame</source>
         <translation> ms/帧</translation>
-    </message>
-    <message>
-        <source>&amp;Use the best rung within it</source>
-        <translation>使用预算内的最佳档级(&amp;U)</translation>
     </message>
     <message>
         <source>No camera is shown on the page Operate.</source>
@@ -17241,10 +17351,6 @@ Run teleta-site --help for more.
         <translation>正在结束…</translation>
     </message>
     <message>
-        <source>No rung is fast enough: only one frame in 100 may take longer.</source>
-        <translation>没有如此快的档级：要求 100 帧中至多一帧超时。</translation>
-    </message>
-    <message>
         <source>Takes a few minutes; you can go on using the console</source>
         <translation>需要几分钟；期间仍可使用控制台</translation>
     </message>
@@ -17255,6 +17361,80 @@ Run teleta-site --help for more.
     <message>
         <source>Fastest: %1, %2 times the limit (%3: %4).</source>
         <translation>最快：%1，为极限（%3：%4）的 %2 倍。</translation>
+    </message>
+    <message>
+        <source>%1 (not measured)</source>
+        <comment>name of a job</comment>
+        <translation>%1（未测量）</translation>
+    </message>
+    <message>
+        <source>%1 (frontier)</source>
+        <comment>name of a setting</comment>
+        <translation>%1（前沿）</translation>
+    </message>
+    <message>
+        <source>Measure &quot;%1&quot; first.</source>
+        <translation>请先测量“%1”。</translation>
+    </message>
+    <message>
+        <source>No setting is fast enough: only one frame in 100 may take longer.</source>
+        <translation>没有足够快的设置：每 100 帧中只允许一帧用时更长。</translation>
+    </message>
+    <message>
+        <source>The setting %1 cannot be used.</source>
+        <translation>无法使用设置 %1。</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Jobs that can be done fast or exactly</source>
+        <translation>可快速或精确完成的任务</translation>
+    </message>
+    <message>
+        <source>&amp;Measure this job</source>
+        <translation>测量此任务(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Measure &amp;all jobs</source>
+        <translation>测量所有任务(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Measure this job</source>
+        <translation>测量此任务</translation>
+    </message>
+    <message>
+        <source>Measure all jobs</source>
+        <translation>测量所有任务</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Settings with their errors and times</source>
+        <translation>各设置及其误差和用时</translation>
+    </message>
+    <message>
+        <source>&amp;Setting in use</source>
+        <translation>正在使用的设置(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Setting that finds the contacts</source>
+        <translation>寻找接触所用的设置</translation>
+    </message>
+    <message>
+        <source>&amp;Use the best setting within it</source>
+        <translation>使用预算内的最佳设置(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Choose a setting in the table or the chart to read what it costs and gives.</source>
+        <translation>在表格或图表中选择一种设置，即可查看其代价和所得。</translation>
     </message>
 </context>
 <context>
@@ -18447,10 +18627,6 @@ Run teleta-site --help for more.
         <translation>代价</translation>
     </message>
     <message>
-        <source>What accuracy costs in time on this machine, and the rung that the camera uses</source>
-        <translation>本机上精度的时间代价，以及相机使用的档级</translation>
-    </message>
-    <message>
         <source>The page Patterns opens the edits.</source>
         <translation>“图案”页将打开这些编辑内容。</translation>
     </message>
@@ -18607,6 +18783,10 @@ Run teleta-site --help for more.
     <message>
         <source>Rele&amp;ase control of the site</source>
         <translation>释放站点的控制权(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time on this machine, and the setting that the camera uses</source>
+        <translation>精度在本机上的时间代价，以及相机使用的设置</translation>
     </message>
 </context>
 <context>
@@ -18911,48 +19091,12 @@ Run teleta-site --help for more.
         <translation>请检查电缆和电源；会自动重试。</translation>
     </message>
     <message>
-        <source>No source</source>
-        <translation>无数据源</translation>
-    </message>
-    <message>
-        <source>Open a demo scene to look around, a recording, or a list of sources.</source>
-        <translation>打开演示场景浏览一番，或打开记录或数据源列表。</translation>
-    </message>
-    <message>
-        <source>Open &amp;demo scene</source>
-        <translation>打开演示场景(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Open &amp;recording…</source>
-        <translation>打开记录(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Open source &amp;list…</source>
-        <translation>打开数据源列表(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>A TOML file that lists scenes and recordings</source>
-        <translation>列出场景和记录的 TOML 文件</translation>
-    </message>
-    <message>
         <source>joints</source>
         <translation>关节</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
         <translation>无法打开手环。</translation>
-    </message>
-    <message>
-        <source>A simulated arm that touches five materials</source>
-        <translation>触碰五种材料的模拟机械臂</translation>
-    </message>
-    <message>
-        <source>First &amp;steps</source>
-        <translation>入门(&amp;S)</translation>
-    </message>
-    <message>
-        <source>The page of the handbook to begin with (F1)</source>
-        <translation>手册中首先阅读的页面（F1）</translation>
     </message>
     <message>
         <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
@@ -18980,10 +19124,6 @@ Run teleta-site --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1：关节</translation>
-    </message>
-    <message>
-        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
-        <translation>本程序的记录或 MCAP，或阵列的帧记录：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
 </context>
 <context>
@@ -20416,6 +20556,49 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::StartPage</name>
+    <message>
+        <source>No source</source>
+        <translation>无数据源</translation>
+    </message>
+    <message>
+        <source>Open a demo scene to look around, a recording, or a list of sources.</source>
+        <translation>打开演示场景浏览一番，或打开记录或数据源列表。</translation>
+    </message>
+    <message>
+        <source>First &amp;steps</source>
+        <translation>入门(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The page of the handbook to begin with (F1)</source>
+        <translation>手册中首先阅读的页面（F1）</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo scene</source>
+        <translation>打开演示场景(&amp;D)</translation>
+    </message>
+    <message>
+        <source>A simulated arm that touches five materials</source>
+        <translation>触碰五种材料的模拟机械臂</translation>
+    </message>
+    <message>
+        <source>Open &amp;recording…</source>
+        <translation>打开记录(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
+        <translation>本程序的记录或 MCAP，或阵列的帧记录：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
+    </message>
+    <message>
+        <source>Open source &amp;list…</source>
+        <translation>打开数据源列表(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>A TOML file that lists scenes and recordings</source>
+        <translation>列出场景和记录的 TOML 文件</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::StudyBracelet</name>
     <message>
         <source>Tactor %1: %2 → %3</source>
@@ -21050,12 +21233,12 @@ Run teleta-site --help for more.
         <translation>平均误差</translation>
     </message>
     <message>
-        <source>Mean error over time of the ladder %1</source>
-        <translation>阶梯 %1 的平均误差随时间的变化</translation>
+        <source>Mean error over time of the settings of %1</source>
+        <translation>%1 各设置的平均误差与用时</translation>
     </message>
     <message>
         <source>%1 (exact)</source>
-        <comment>name of a rung</comment>
+        <comment>name of a setting</comment>
         <translation>%1（精确）</translation>
     </message>
 </context>
@@ -21678,12 +21861,12 @@ Run teleta-site --help for more.
         <translation>撤销对图案库的上一次操作（在列表中按 Ctrl+Z）</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;粗体且前有标记的图案已在编辑器中打开；按键作用于突出显示的图案。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
         <translation>&lt;p&gt;单击或按 &lt;b&gt;Enter&lt;/b&gt; 打开图案。内置图案保持不变：首次编辑时生成副本。对自己的图案：&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Ctrl+D&lt;/b&gt; 创建副本，&lt;b&gt;Delete&lt;/b&gt; 删除，&lt;b&gt;Ctrl+Z&lt;/b&gt; 撤回。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;以粗体显示、前面有竖条的图案正在编辑器中打开；按键作用于高亮的图案。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -24044,6 +24227,38 @@ Double-click to type the upper end.</source>
     <message>
         <source>Back to the initial view: everything from a corner</source>
         <translation>回到初始视角：从角上看全部内容</translation>
+    </message>
+    <message>
+        <source>Trail of the tip</source>
+        <translation>末端轨迹</translation>
+    </message>
+    <message>
+        <source>Show where the arm&apos;s tip was in the last 5 s</source>
+        <translation>显示机械臂末端在最近 5 秒内的位置</translation>
+    </message>
+    <message>
+        <source>Joint limits</source>
+        <translation>关节限位</translation>
+    </message>
+    <message>
+        <source>Show range and angle of each joint that is near the end of its range</source>
+        <translation>显示每个接近范围末端的关节的范围和角度</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Show forces as arrows</source>
+        <translation>用箭头显示力</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>Show the moment of the loads on a flat array about their centre, as an arrow that turns</source>
+        <translation>用弯箭头显示平面阵列上的载荷绕其中心的力矩</translation>
     </message>
 </context>
 <context>

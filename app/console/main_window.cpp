@@ -25,18 +25,17 @@
 #include "app/console/study/study_page.h"
 #include "backend/core/steady_time.h"
 #include "backend/cost/ladders/ladders.h"
-#include "backend/pattern/files/pattern_json.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/device_strip.h"
 #include "widgets/chrome/message_log.h"
 #include "widgets/chrome/page_rail.h"
-#include "widgets/chrome/recent_list.h"
 #include "widgets/chrome/recording_indicator.h"
 #include "widgets/chrome/stop_banner.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/pattern/pattern_editor.h"
+#include "widgets/view3d/scene3d_view.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -54,7 +53,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -64,15 +62,6 @@ namespace {
 
 constexpr char kOperate[] = "operate";
 constexpr char kStudy[] = "study";
-
-struct FeedbackName {
-    pipeline::FeedbackMode mode;
-    const char* name;
-};
-constexpr std::array kFeedbackModes{FeedbackName{pipeline::FeedbackMode::both, "both"},
-                                    FeedbackName{pipeline::FeedbackMode::stiffness, "stiffness"},
-                                    FeedbackName{pipeline::FeedbackMode::shape, "shape"},
-                                    FeedbackName{pipeline::FeedbackMode::off, "off"}};
 
 /// Two presses of Escape within this time are STOP.
 constexpr int kDoubleEscape_ms = 600;
@@ -180,8 +169,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                                     {},
                                     {}});
     });
-    connect(&m_operate->recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
-    connect(&m_operate->recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
+    connectStartPage();
     connect(m_layouts, &LayoutsMenu::notRestored, this, [this](const QString& name) {
         m_operate->messages().post(
             {chrome::Message::Severity::warning,
@@ -228,6 +216,10 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(&m_bracelet, &BraceletService::chosen, this, &MainWindow::buildMenus);
     connect(&m_operate->armViews().feedbackPanel(), &FeedbackPanel::changed, this, &MainWindow::saveFeedback);
     connect(&m_sources, &SourceManager::activeChanged, this, &MainWindow::buildMenus);
+    auto& reconstruction = m_operate->reconstruction();
+    reconstruction.setHiddenLayers(m_settings.hiddenLayers());
+    connect(&reconstruction, &view3d::Scene3dView::layersChanged, this,
+            [this] { m_settings.setHiddenLayers(m_operate->reconstruction().hiddenLayers()); });
     connect(m_collection, &PatternCollection::changed, this, &MainWindow::takeOwnPatterns);
     connect(m_patterns.get(), &PatternsPage::used, this, [this](const QString& path) {
         m_settings.addRecentPattern(path);
@@ -467,39 +459,6 @@ void MainWindow::onEscape(bool down) {
     }
 }
 
-void MainWindow::restoreFeedback() {
-    FeedbackPanel& panel = m_operate->armViews().feedbackPanel();
-    if (!m_settings.patternMap().isEmpty()) {
-        const auto map = pattern::patternMapFromJson(m_settings.patternMap().toStdString(), "settings");
-        if (map)
-            panel.setMap(*map);
-    }
-    for (const FeedbackName& known : kFeedbackModes)
-        if (m_settings.feedbackMode() == QLatin1String(known.name))
-            panel.setMode(known.mode);
-}
-
-void MainWindow::saveFeedback() {
-    const FeedbackPanel& panel = m_operate->armViews().feedbackPanel();
-    m_settings.setPatternMap(QString::fromStdString(pattern::patternMapToJson(panel.map())));
-    for (const FeedbackName& known : kFeedbackModes)
-        if (panel.mode() == known.mode)
-            m_settings.setFeedbackMode(QLatin1String(known.name));
-}
-
-void MainWindow::takeOwnPatterns() {
-    std::vector<touch::PatternChoice> own;
-    for (const pattern::StoredPattern& stored : m_collection->patterns())
-        if (stored.pattern)
-            own.push_back({stored.id, QString::fromStdString(stored.pattern->name), tr("my own"),
-                           stored.pattern->condition == pattern::Condition::dynamic    ? tr("dynamic")
-                           : stored.pattern->condition == pattern::Condition::constant ? tr("static")
-                                                                                       : QString()});
-    m_operate->armViews().feedbackPanel().setOwnPatterns(std::move(own));
-    m_bracelet.setLibrary(
-        [collection = m_collection](const std::string& id) { return collection->program(id); });
-}
-
 void MainWindow::showPage(const QString& name) {
     m_rail->setCurrentPage(name);
     for (const Page& page : pages())
@@ -554,28 +513,29 @@ void MainWindow::secure() {
 
 /// In the order of the rail.
 std::vector<MainWindow::Page> MainWindow::pages() const {
-    return {
-        {QStringLiteral("operate"), base::Icon::operate, tr("Operate"),
-         tr("What the arm touches, live or played back"), m_operate.get()},
-        {QStringLiteral("patterns"), base::Icon::patterns, tr("Patterns"),
-         tr("What the bracelet can say: edit, check and play patterns"), m_patterns.get()},
-        {QStringLiteral("study"), base::Icon::study, tr("Study"),
-         tr("User studies: from the first practice trial to confusion matrices and ANOVA"), m_study.get()},
-        {QStringLiteral("calibrate"), base::Icon::calibrate, tr("Calibrate"),
-         tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"),
-         m_calibrate.get()},
-        {QStringLiteral("cost"), base::Icon::cost, tr("Cost"),
-         tr("What accuracy costs in time on this machine, and the rung that the camera uses"), m_cost.get()},
-        {QStringLiteral("plot"), base::Icon::plot, tr("Plot"),
-         tr("Any signal over time: live ones and those of recordings, with cursors and spectra"),
-         m_plot.get()}};
+    return {{QStringLiteral("operate"), base::Icon::operate, tr("Operate"),
+             tr("What the arm touches, live or played back"), m_operate.get()},
+            {QStringLiteral("patterns"), base::Icon::patterns, tr("Patterns"),
+             tr("What the bracelet can say: edit, check and play patterns"), m_patterns.get()},
+            {QStringLiteral("study"), base::Icon::study, tr("Study"),
+             tr("User studies: from the first practice trial to confusion matrices and ANOVA"),
+             m_study.get()},
+            {QStringLiteral("calibrate"), base::Icon::calibrate, tr("Calibrate"),
+             tr("What has to be measured: the motors of the bracelet, the camera in the tube, the taxels"),
+             m_calibrate.get()},
+            {QStringLiteral("cost"), base::Icon::cost, tr("Cost"),
+             tr("What accuracy costs in time on this machine, and the setting that the camera uses"),
+             m_cost.get()},
+            {QStringLiteral("plot"), base::Icon::plot, tr("Plot"),
+             tr("Any signal over time: live ones and those of recordings, with cursors and spectra"),
+             m_plot.get()}};
 }
 
 void MainWindow::retranslate() {
     setWindowTitle(tr("TeleTA Console"));
     for (const Page& page : pages())
         m_rail->setTitle(page.name, page.title, page.about);
-    m_operate->setDemos(demoScenes());
+    m_operate->setDemos(demoScenes(), startCards());
     buildMenus();
 }
 

@@ -119,6 +119,9 @@ private:
     void closeSource(std::uint64_t key);
     void openLastSession();
     void offerLastSession();
+    void connectStartPage();
+    /// A card of the start page that is no scene, see startCards().
+    void openCard(const QString& place);
     [[nodiscard]] QStringList session();
     void addRecentMenu(QMenu& file);
     void showRecent();

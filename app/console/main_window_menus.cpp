@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The menus of the window, and what they set.
 #include "app/console/bracelet/bracelet_menu.h"
+#include "app/console/desktop/first_steps_keeper.h"
 #include "app/console/desktop/last_session.h"
 #include "app/console/desktop/layouts_menu.h"
 #include "app/console/desktop/preferences_dialog.h"
@@ -14,8 +15,10 @@
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/operate/recording_controls.h"
 #include "app/console/patterns/patterns_page.h"
+#include "app/console/start/start_page.h"
 #include "app/console/study/study_page.h"
 #include "widgets/base/mnemonics.h"
+#include "widgets/chrome/first_steps.h"
 #include "widgets/chrome/recent_list.h"
 #include "widgets/pattern/pattern_editor.h"
 
@@ -25,6 +28,7 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -163,13 +167,53 @@ void MainWindow::addRecentMenu(QMenu& file) {
 
 void MainWindow::showRecent() {
     m_operate->chooser().setRecent(m_settings.recentFiles());
-    m_operate->recent().setFiles(m_settings.recentFiles());
+    m_operate->startPage().setRecent(m_settings.recentFiles());
     m_patterns->editor().setRecent(m_settings.recentPatterns());
     buildMenus();
 }
 
+void MainWindow::connectStartPage() {
+    StartPage& start = m_operate->startPage();
+    connect(&start.recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
+    connect(&start.recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
+    connect(m_operate.get(), &OperatePage::cardRequested, this, &MainWindow::openCard);
+    connect(&start.firstSteps(), &chrome::FirstSteps::stepRequested, this, [this](const QString& step) {
+        if (step == QLatin1String("touch"))
+            openDemo();
+        else
+            openCard(step == QLatin1String("study") ? QStringLiteral("study:rehearsal")
+                                                    : QStringLiteral("pattern:shape.A.dynamic"));
+    });
+    // Whatever way a step was done.
+    auto* keeper = new FirstStepsKeeper(start.firstSteps(), m_settings, this);
+    connect(&m_sources, &SourceManager::activeChanged, keeper, [this, keeper] {
+        if (m_sources.active() != nullptr)
+            keeper->done(QStringLiteral("touch"));
+    });
+    connect(&m_patterns->editor(), &pattern::PatternEditor::playRequested, keeper,
+            [keeper] { keeper->done(QStringLiteral("pattern")); });
+    connect(&m_study->controller(), &StudyController::opened, keeper,
+            [keeper] { keeper->done(QStringLiteral("study")); });
+}
+
+void MainWindow::openCard(const QString& place) {
+    const auto behind = [&place](QLatin1String kind) {
+        return place.startsWith(kind) ? std::optional(place.mid(kind.size())) : std::nullopt;
+    };
+    if (const auto id = behind(QLatin1String("pattern:"))) {
+        showPage(QStringLiteral("patterns"));
+        m_patterns->open(*id);
+    } else if (const auto kind = behind(QLatin1String("study:"))) {
+        showPage(QStringLiteral("study"));
+        if (*kind == QLatin1String("rehearsal"))
+            m_study->watchRehearsal();
+        else
+            m_study->open(QStringLiteral(":/studies/teleta.toml"));
+    }
+}
+
 void MainWindow::offerLastSession() {
-    m_operate->recent().setSession(
+    m_operate->startPage().recent().setSession(
         m_settings.atStart() == AtStart::nothing
             ? QString()
             : last_session::text(last_session::entriesFrom(m_settings.lastSession())));

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace teleta::servo {
@@ -27,6 +28,8 @@ struct ServoReport {
     ActiveLimits recentLimits; ///< limits that acted within the last second, so that one that acts in a
                                ///< single step is seen
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
+    /// Of the joints, measured; NaN: not told.
+    LwrVector angle_rad = LwrVector::Constant(std::numeric_limits<double>::quiet_NaN());
     /// Positions of the joints from the base to the flange, and of the sensor; m, for drawing.
     std::array<Eigen::Vector3d, kLwrJoints> p_Base_Joint{};
     double normalCompliance_mPerN = 1.0;       ///< of the running task; force is d_z divided by it

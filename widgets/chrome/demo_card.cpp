@@ -7,6 +7,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QPolygonF>
 #include <QStyleOption>
 #include <QTextLayout>
 
@@ -15,9 +16,11 @@ namespace teleta::chrome {
 namespace {
 
 constexpr double kCard_em = 20.0;
-constexpr int kLines = 2; ///< of what is said about it
+constexpr double kSmallCard_em = 11.0;
+constexpr QSizeF kSmallPicture_em(2.8, 1.85);
+constexpr int kLines = 2; ///< of what is said about it, and of the title of a small card
 
-/// Draws text in a few lines from the top of a rect; the last one ends in an ellipsis if there is more.
+/// Draws text in two lines at most from the top of a rect; the last one ends in an ellipsis if there is more.
 void drawLines(QPainter& painter, const QRectF& rect, const QString& text) {
     const QFontMetricsF metrics(painter.font(), painter.device());
     QTextLayout layout(text, painter.font());
@@ -43,15 +46,44 @@ void drawLines(QPainter& painter, const QRectF& rect, const QString& text) {
 
 DemoCard::DemoCard(base::Icon icon, const QString& title, const QString& about, QWidget* parent)
     : QAbstractButton(parent)
-    , m_icon(icon)
-    , m_about(about) {
-    setText(base::withoutMnemonic(title));
-    setAccessibleName(title);
-    setAccessibleDescription(about);
-    setToolTip(about);
+    , m_icon(icon) {
+    setTexts(title, about);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void DemoCard::setTexts(const QString& title, const QString& about) {
+    m_about = about;
+    setText(base::withoutMnemonic(title));
+    setAccessibleName(title);
+    describe();
+    update();
+}
+
+void DemoCard::describe() {
+    setAccessibleDescription(m_step == Step::done ? tr("Done. %1").arg(m_about) : m_about);
+    // A small card says nothing else, and may cut its title.
+    setToolTip(m_size == Size::small ? accessibleName() + QLatin1Char('\n') + m_about : m_about);
+}
+
+void DemoCard::setSize(Size size) {
+    if (size == m_size)
+        return;
+    m_size = size;
+    describe();
+    updateGeometry();
+    update();
+}
+
+void DemoCard::setStep(Step step) {
+    m_step = step;
+    describe();
+    update();
+}
+
+QSizeF DemoCard::picture_em() const {
+    return m_size == Size::large ? kPicture_em : kSmallPicture_em;
 }
 
 void DemoCard::setPicture(const QImage& picture) {
@@ -59,13 +91,17 @@ void DemoCard::setPicture(const QImage& picture) {
     update();
 }
 
+int DemoCard::heightOf(const QWidget& widget, Size size) {
+    const QSizeF& picture_em = size == Size::large ? kPicture_em : kSmallPicture_em;
+    return base::em(&widget, picture_em.height()) + base::grid(&widget);
+}
+
 QSize DemoCard::sizeHint() const {
-    const int margin = base::grid(this);
-    return {base::em(this, kCard_em), base::em(this, kPicture_em.height()) + margin};
+    return {base::em(this, m_size == Size::large ? kCard_em : kSmallCard_em), heightOf(*this, m_size)};
 }
 
 QSize DemoCard::minimumSizeHint() const {
-    return {base::em(this, 2.0 * kPicture_em.width()), sizeHint().height()};
+    return {base::em(this, 2.0 * picture_em().width()), sizeHint().height()};
 }
 
 void DemoCard::paintEvent(QPaintEvent* /*event*/) {
@@ -84,14 +120,16 @@ void DemoCard::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const double radius = flat.px(base::kCardRadius);
     const double margin = flat.px(base::kTight);
-    const QRectF picture(card.left() + margin, card.top() + margin, base::em(this, kPicture_em.width()),
+    const QRectF picture(card.left() + margin, card.top() + margin, base::em(this, picture_em().width()),
                          card.height() - 2.0 * margin);
     QPainterPath rounded;
     rounded.addRoundedRect(picture, 0.5 * radius, 0.5 * radius);
     painter.save();
     painter.setClipPath(rounded);
     painter.fillRect(picture, colours.hover);
-    if (hasPicture()) {
+    if (m_step != Step::none) {
+        paintStep(painter, picture);
+    } else if (hasPicture()) {
         const QSizeF size = QSizeF(m_picture.size()).scaled(picture.size(), Qt::KeepAspectRatioByExpanding);
         QRectF place(QPointF(), size);
         place.moveCenter(picture.center());
@@ -107,17 +145,49 @@ void DemoCard::paintEvent(QPaintEvent* /*event*/) {
     const double left = picture.right() + base::grid(this);
     const QFont title = base::bold(font());
     const QFont small = base::sized(font(), base::kSmallText);
-    const QFontMetricsF titleMetrics(title);
+    const QFont shown = m_size == Size::small ? base::bold(small) : title;
+    const QFontMetricsF titleMetrics(shown);
     const QFontMetricsF smallMetrics(small);
-    const double height = titleMetrics.height() + kLines * smallMetrics.height();
-    const QRectF text(left, card.center().y() - 0.5 * height, card.right() - margin - left, height);
-    painter.setFont(title);
+    const QRectF room(left, card.top(), card.right() - margin - left, card.height());
+    painter.setFont(shown);
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignTop,
-                     titleMetrics.elidedText(this->text(), Qt::ElideRight, text.width()));
+    if (m_size == Size::small) {
+        const bool isLong = titleMetrics.horizontalAdvance(text()) > room.width();
+        const double height = (isLong ? kLines : 1) * titleMetrics.height();
+        drawLines(painter, QRectF(left, card.center().y() - 0.5 * height, room.width(), height), text());
+        return;
+    }
+    const double height = titleMetrics.height() + kLines * smallMetrics.height();
+    const QRectF lines(left, card.center().y() - 0.5 * height, room.width(), height);
+    painter.drawText(lines, Qt::AlignLeft | Qt::AlignTop,
+                     titleMetrics.elidedText(text(), Qt::ElideRight, lines.width()));
     painter.setFont(small);
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    drawLines(painter, text.adjusted(0.0, titleMetrics.height(), 0.0, 0.0), m_about);
+    drawLines(painter, lines.adjusted(0.0, titleMetrics.height(), 0.0, 0.0), m_about);
+}
+
+/// What the step is about, and whether it was done.
+void DemoCard::paintStep(QPainter& painter, const QRectF& place) const {
+    const double side = 0.62 * place.height();
+    QRectF icon(0.0, 0.0, side, side);
+    icon.moveCenter({place.center().x() - 0.35 * side, place.center().y()});
+    base::paintIcon(painter, icon, m_icon, palette().color(QPalette::PlaceholderText));
+    const double radius = 0.24 * side;
+    const QPointF centre(icon.right() + 2.0 * radius, icon.center().y());
+    const bool isDone = m_step == Step::done;
+    const QColor colour =
+        isDone ? base::statusColours(palette()).live : palette().color(QPalette::PlaceholderText);
+    painter.setPen(QPen(colour, 0.16 * radius * 2.0));
+    painter.setBrush(isDone ? QBrush(colour) : QBrush(Qt::NoBrush));
+    painter.drawEllipse(centre, radius, radius);
+    if (!isDone)
+        return;
+    QPen tick(palette().color(QPalette::Base), 0.34 * radius, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    painter.setPen(tick);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(QPolygonF{centre + QPointF(-0.45, 0.05) * radius,
+                                   centre + QPointF(-0.1, 0.4) * radius,
+                                   centre + QPointF(0.5, -0.35) * radius});
 }
 
 } // namespace teleta::chrome

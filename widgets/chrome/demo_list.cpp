@@ -14,15 +14,17 @@ namespace teleta::chrome {
 
 namespace {
 
-constexpr int kMostColumns = 3;
+constexpr int kMostColumns = 4;
 constexpr double kColumn_em = 21.0;
+constexpr double kSmallColumn_em = 13.0;
+constexpr double kCardGap = 0.75; ///< in steps of the grid
 
-/// The lowest number of cards in the longest of some columns that hold the groups in their order.
-int lowestHeight(const std::vector<int>& cards, int columns) {
+/// The least height of the highest of some columns that hold groups of these heights in their order.
+int lowestHeight(const std::vector<int>& heights, int columns) {
     const auto columnsFor = [&](int most) {
         int used = 1;
         int filled = 0;
-        for (const int count : cards) {
+        for (const int count : heights) {
             if (filled + count > most && filled > 0) {
                 ++used;
                 filled = 0;
@@ -31,7 +33,7 @@ int lowestHeight(const std::vector<int>& cards, int columns) {
         }
         return used;
     };
-    int most = cards.empty() ? 0 : *std::ranges::max_element(cards);
+    int most = heights.empty() ? 0 : *std::ranges::max_element(heights);
     while (columnsFor(most) > columns)
         ++most;
     return most;
@@ -66,11 +68,11 @@ void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
             auto* box = new QWidget(widget());
             auto* column = new QVBoxLayout(box);
             column->setContentsMargins(0, 0, 0, base::grid(this));
-            column->setSpacing(base::grid(this, 0.75));
+            column->setSpacing(base::grid(this, kCardGap));
             auto* heading = new QLabel(name, box);
             heading->setFont(base::bold(base::sized(font(), base::kTitleText)));
             column->addWidget(heading);
-            m_groups.push_back({box, 0});
+            m_groups.push_back({box, heading, 0});
         }
         Group& group = m_groups.back();
         auto* card = new DemoCard(base::Icon::scene, demo.title, demo.description, group.box);
@@ -79,7 +81,7 @@ void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
         ++group.cards;
         m_cards.insert(demo.path, card);
     }
-    m_columns = 0;
+    m_plan = {};
     arrange();
     updateGeometry();
 }
@@ -90,7 +92,8 @@ void DemoList::setPicture(const QString& path, const QImage& picture) {
 }
 
 QSize DemoList::sizeHint() const {
-    return {kMostColumns * base::em(this, kColumn_em), m_row->sizeHint().height() + 2 * frameWidth()};
+    const int least = kMostColumns * base::em(this, kColumn_em);
+    return {least, planOf(false, width() > 0 ? width() : least).height + 2 * frameWidth()};
 }
 
 void DemoList::resizeEvent(QResizeEvent* event) {
@@ -99,35 +102,56 @@ void DemoList::resizeEvent(QResizeEvent* event) {
     updateGeometry();
 }
 
+DemoList::Plan DemoList::planOf(bool isSmall, int width) const {
+    Plan plan{.isSmall = isSmall, .columns = {}};
+    if (m_groups.empty())
+        return plan;
+    // All headings and all cards are alike.
+    const auto size = isSmall ? DemoCard::Size::small : DemoCard::Size::large;
+    const int card = DemoCard::heightOf(*this, size) + base::grid(this, kCardGap);
+    const int heading = m_groups.front().heading->sizeHint().height() + base::grid(this);
+    std::vector<int> heights;
+    for (const Group& group : m_groups)
+        heights.push_back(heading + group.cards * card);
+    const int columns =
+        std::clamp(width / base::em(this, isSmall ? kSmallColumn_em : kColumn_em), 1, kMostColumns);
+    const int most = lowestHeight(heights, columns);
+    int filled = 0;
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        if (plan.columns.empty() || filled + heights[i] > most) {
+            plan.columns.emplace_back();
+            filled = 0;
+        }
+        plan.columns.back().push_back(i);
+        filled += heights[i];
+        plan.height = std::max(plan.height, filled);
+    }
+    return plan;
+}
+
 void DemoList::arrange() {
-    const int columns = std::clamp(viewport()->width() / base::em(this, kColumn_em), 1, kMostColumns);
-    if (columns == m_columns)
+    const QSize room = viewport()->size();
+    Plan plan = planOf(false, room.width());
+    if (plan.height > room.height())
+        plan = planOf(true, room.width());
+    if (plan == m_plan)
         return;
-    m_columns = columns;
+    m_plan = plan;
     while (QLayoutItem* column = m_row->takeAt(0)) {
         while (QLayoutItem* item = column->layout()->takeAt(0))
             delete item;
         delete column;
     }
-    std::vector<int> counts;
-    for (const Group& group : m_groups)
-        counts.push_back(group.cards + 1); // with its heading
-    const int most = lowestHeight(counts, columns);
-    QVBoxLayout* column = nullptr;
-    int filled = 0;
-    for (std::size_t i = 0; i < m_groups.size(); ++i) {
-        if (column == nullptr || filled + counts[i] > most) {
-            if (column != nullptr)
-                column->addStretch(1);
-            column = new QVBoxLayout;
-            m_row->addLayout(column, 1);
-            filled = 0;
-        }
-        column->addWidget(m_groups[i].box);
-        filled += counts[i];
-    }
-    if (column != nullptr)
+    for (DemoCard* card : m_cards)
+        card->setSize(plan.isSmall ? DemoCard::Size::small : DemoCard::Size::large);
+    for (const std::vector<std::size_t>& groups : plan.columns) {
+        auto* column = new QVBoxLayout;
+        column->setSpacing(0);
+        for (const std::size_t group : groups)
+            column->addWidget(m_groups[group].box);
         column->addStretch(1);
+        m_row->addLayout(column, 1);
+    }
 }
 
 } // namespace teleta::chrome

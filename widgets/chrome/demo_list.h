@@ -10,12 +10,15 @@
 
 #include <vector>
 
+class QLabel;
+
 namespace teleta::chrome {
 
 class DemoCard;
 
 /// All demo scenes as cards under the headings of their groups, in as many columns as there is room for; a
-/// group is never torn apart. Scrolls when there is too little of it. Thread: GUI.
+/// group is never torn apart. Where large cards do not fit they are small; it scrolls when these do not.
+/// Thread: GUI.
 class DemoList : public QScrollArea {
     Q_OBJECT
 
@@ -38,15 +41,24 @@ private:
     /// A heading and the cards below it.
     struct Group {
         QWidget* box = nullptr;
+        QLabel* heading = nullptr;
         int cards = 0;
     };
+    /// Which groups stand in which column, one below the other.
+    struct Plan {
+        bool isSmall = false;
+        std::vector<std::vector<std::size_t>> columns;
+        int height = 0;
+        bool operator==(const Plan&) const = default;
+    };
 
+    [[nodiscard]] Plan planOf(bool isSmall, int width) const;
     void arrange();
 
     QHBoxLayout* m_row = new QHBoxLayout;
     std::vector<Group> m_groups;
     QHash<QString, DemoCard*> m_cards; ///< by the path of the demo
-    int m_columns = 0;
+    Plan m_plan;
 };
 
 } // namespace teleta::chrome

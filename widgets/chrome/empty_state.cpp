@@ -11,6 +11,12 @@
 
 namespace teleta::chrome {
 
+namespace {
+
+constexpr double kEmptyPicture_em = 4.0;
+
+} // namespace
+
 EmptyState::EmptyState(base::Icon icon, QWidget* parent)
     : QWidget(parent)
     , m_icon(icon) {
@@ -55,14 +61,25 @@ void EmptyState::setAction(const char* name, const QString& text, const QString&
 }
 
 void EmptyState::setMore(QWidget* more) {
-    m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, 3));
-    // No stretch factor: Qt would give it its minimum size only.
-    m_layout->insertWidget(m_layout->count() - 1, more);
+    if (m_more == nullptr) {
+        m_more = new QVBoxLayout;
+        m_more->setSpacing(base::grid(this, base::kSection));
+        m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, base::kSection));
+        // No stretch factor: Qt would give it its minimum size only.
+        m_layout->insertLayout(m_layout->count() - 1, m_more);
+    }
+    m_more->addWidget(more);
+}
+
+void EmptyState::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const int picture = m_picture->isHidden() ? base::em(this, kEmptyPicture_em) + m_layout->spacing() : 0;
+    m_picture->setVisible(m_layout->sizeHint().height() + picture <= height());
 }
 
 void EmptyState::restyle() {
     m_headline->setFont(base::sized(font(), base::kLargeText));
-    const int side = base::em(this, 4);
+    const int side = base::em(this, kEmptyPicture_em);
     QPixmap picture(QSize(side, side) * devicePixelRatio());
     picture.setDevicePixelRatio(devicePixelRatio());
     picture.fill(Qt::transparent);

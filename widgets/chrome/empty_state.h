@@ -13,7 +13,8 @@ class QPushButton;
 
 namespace teleta::chrome {
 
-/// Shown by a view without content: a picture, a sentence, and buttons for the next step. Thread: GUI.
+/// Shown by a view without content: a picture, a sentence, and buttons for the next step. The picture goes
+/// where there is no room for it. Thread: GUI.
 class EmptyState : public QWidget {
     Q_OBJECT
 
@@ -28,6 +29,9 @@ public:
     /// Further choices below the actions, at their preferred size where it fits.
     void setMore(QWidget* more);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void restyle();
 
@@ -37,6 +41,7 @@ private:
     QLabel* m_sentence = new QLabel(this);
     QHBoxLayout* m_buttons = new QHBoxLayout;
     QVBoxLayout* m_layout = new QVBoxLayout(this);
+    QVBoxLayout* m_more = nullptr; ///< a hidden choice takes no room
 };
 
 } // namespace teleta::chrome

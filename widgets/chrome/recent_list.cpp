@@ -18,7 +18,8 @@ namespace teleta::chrome {
 
 namespace {
 
-constexpr double kListWidth_em = 12.0; ///< of a text, at most: four fit into a small window
+constexpr double kListWidth_em = 10.0; ///< of a text, at most: four fit into a small window
+constexpr QSizeF kRecentPicture_em(2.6, 1.7);
 
 } // namespace
 
@@ -36,6 +37,13 @@ RecentList::RecentList(QWidget* parent)
 
 void RecentList::setFiles(const QStringList& files) {
     m_files = files;
+    rebuild();
+}
+
+void RecentList::setPicture(const QString& path, const QImage& picture) {
+    if (!m_files.mid(0, kFiles).contains(path))
+        return;
+    m_pictures.insert(path, picture);
     rebuild();
 }
 
@@ -71,12 +79,17 @@ void RecentList::rebuild() {
         connect(add(tr("Reopen %1", "what was open").arg(m_session),
                     tr("What was open when the console was closed"), base::Icon::operate, "reopenSession"),
                 &QToolButton::clicked, this, &RecentList::sessionRequested);
-    for (const QString& path : m_files.mid(0, kFiles))
-        connect(add(QFileInfo(path).fileName(), path,
-                    path.endsWith(QLatin1String(".toml"), Qt::CaseInsensitive) ? base::Icon::scene
-                                                                               : base::Icon::recording,
-                    "recentFile"),
-                &QToolButton::clicked, this, [this, path] { emit fileRequested(path); });
+    for (const QString& path : m_files.mid(0, kFiles)) {
+        const bool isScene = path.endsWith(QLatin1String(".toml"), Qt::CaseInsensitive);
+        QToolButton* button = add(QFileInfo(path).fileName(), path,
+                                  isScene ? base::Icon::scene : base::Icon::recording, "recentFile");
+        if (const QImage picture = m_pictures.value(path); !picture.isNull()) {
+            button->setIconSize(
+                QSize(base::em(this, kRecentPicture_em.width()), base::em(this, kRecentPicture_em.height())));
+            button->setIcon(QPixmap::fromImage(picture));
+        }
+        connect(button, &QToolButton::clicked, this, [this, path] { emit fileRequested(path); });
+    }
     setVisible(!m_session.isEmpty() || !m_files.isEmpty());
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QHash>
+#include <QImage>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
@@ -11,7 +13,7 @@ class QLabel;
 namespace teleta::chrome {
 
 /// On a page without a source: what was open the last time, and the files that were opened before, the newest
-/// first, as buttons. Empty when there are neither. Thread: GUI.
+/// first, as buttons with a picture where there is one. Empty when there are neither. Thread: GUI.
 class RecentList : public QWidget {
     Q_OBJECT
 
@@ -23,6 +25,8 @@ public:
 
     /// files: paths; a button shows the name, its tool tip the path.
     void setFiles(const QStringList& files);
+    /// A picture of a file, in place of its icon; unknown paths are ignored.
+    void setPicture(const QString& path, const QImage& picture);
     /// names: what was open; empty: there is nothing to reopen.
     void setSession(const QString& names);
 
@@ -37,6 +41,7 @@ private:
     QLabel* m_title;
     QStringList m_files;
     QString m_session;
+    QHash<QString, QImage> m_pictures; ///< by path
 };
 
 } // namespace teleta::chrome

@@ -121,7 +121,7 @@ void CostChart::draw() {
     m_plot->yAxis->setTicker(
         QSharedPointer<QCPAxisTicker>(new LogTicker(QString::fromStdString(m_ladder.errorUnit))));
     m_plot->setAccessibleName(
-        tr("Mean error over time of the ladder %1").arg(QString::fromStdString(m_ladder.ladder)));
+        tr("Mean error over time of the settings of %1").arg(QString::fromStdString(m_ladder.ladder)));
     setRanges();
     const QColor accent = m_colours.color(QPalette::Highlight);
     const QColor text = m_colours.color(QPalette::Text);
@@ -215,9 +215,10 @@ void CostChart::drawNames() {
     QFont small = base::sized(font(), base::kSmallText);
     const QFontMetricsF metrics(small);
     for (const cost::RungCost* rung : rungs) {
-        const QString name = rung->errorMean > 0.0
-                                 ? QString::fromStdString(rung->name)
-                                 : tr("%1 (exact)", "name of a rung").arg(QString::fromStdString(rung->name));
+        const QString name =
+            rung->errorMean > 0.0
+                ? QString::fromStdString(rung->name)
+                : tr("%1 (exact)", "name of a setting").arg(QString::fromStdString(rung->name));
         const QPointF point = pixelOf(*rung);
         const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
         const double right = 8.0, left = -8.0 - size.width(), middle = -0.5 * size.width();

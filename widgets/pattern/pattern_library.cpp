@@ -33,8 +33,11 @@ QString lengthText(double duration_s) {
                           QStringLiteral("s"));
 }
 
-constexpr double kPictureWidth_em = 3.5;
-constexpr double kPictureHeight_em = 1.6;
+constexpr QSizeF kPicture_em(3.5, 1.6);
+constexpr QSizeF kSmallPicture_em(1.3, 1.3);
+constexpr double kIndent_em = 0.9;
+constexpr double kSmallIndent_em = 0.35;
+constexpr double kAroundText_em = 1.0; ///< margins of the style beside picture and text
 
 } // namespace
 
@@ -44,8 +47,8 @@ PatternLibrary::PatternLibrary(QWidget* parent)
     m_tree->setColumnCount(2);
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);
-    m_tree->setIconSize(QSize(base::em(this, kPictureWidth_em), base::em(this, kPictureHeight_em)));
-    m_tree->setIndentation(base::em(this, 0.9));
+    m_tree->setIconSize(QSize(base::em(this, kPicture_em.width()), base::em(this, kPicture_em.height())));
+    m_tree->setIndentation(base::em(this, kIndent_em));
     m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -127,7 +130,51 @@ void PatternLibrary::setCurrent(const QString& idOrPath) {
     fill();
 }
 
+bool PatternLibrary::fitPictures() {
+    const auto inPixels = [this](const QSizeF& size_em) {
+        return QSize(base::em(this, size_em.width()), base::em(this, size_em.height()));
+    };
+    const QFontMetrics names(base::bold(m_tree->font()));
+    int longest = 0;
+    int lengths = 0;
+    for (QTreeWidgetItemIterator at(m_tree); *at; ++at) {
+        if ((*at)->icon(0).isNull())
+            continue;
+        longest = std::max(longest, names.horizontalAdvance((*at)->text(0)));
+        lengths = std::max(lengths, names.horizontalAdvance((*at)->text(1)));
+    }
+    lengths += base::em(this, kAroundText_em);
+    // Patterns are a level below their groups.
+    // The viewport has its size only once it is shown.
+    const int room = m_tree->contentsRect().width() - m_tree->verticalScrollBar()->sizeHint().width() -
+                     longest - base::em(this, kAroundText_em);
+    const auto isRoomFor = [&](const QSizeF& picture_em, double indent_em) {
+        return base::em(this, picture_em.width() + 2.0 * indent_em) + lengths <= room;
+    };
+    const bool isLarge = isRoomFor(kPicture_em, kIndent_em);
+    m_tree->setColumnHidden(1, !isLarge && !isRoomFor(kSmallPicture_em, kSmallIndent_em));
+    const QSize size = inPixels(isLarge ? kPicture_em : kSmallPicture_em);
+    if (size == m_tree->iconSize())
+        return false;
+    m_tree->setIconSize(size);
+    m_tree->setIndentation(base::em(this, isLarge ? kIndent_em : kSmallIndent_em));
+    return true;
+}
+
+void PatternLibrary::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    if (fitPictures())
+        refill();
+}
+
 void PatternLibrary::fill() {
+    refill();
+    if (fitPictures())
+        refill();
+}
+
+void PatternLibrary::refill() {
     m_filter->setPlaceholderText(tr("Filter: name, tag"));
     m_filter->setAccessibleName(tr("Filter the patterns"));
     m_undo->setText(tr("Undo"));

@@ -61,6 +61,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     /// What all pictures depend on.
@@ -75,6 +76,10 @@ private:
     void addOwn(QTreeWidgetItem* group, const OwnPattern& own);
     /// A small picture of a pattern, drawn once; the open one has a bar in front.
     [[nodiscard]] QIcon pictureOf(const QString& key, const Pattern& pattern);
+    void refill();
+    /// Makes pictures smaller where names would be cut otherwise, and then hides the lengths, which the
+    /// editor shows too. Returns whether the pictures' size changed.
+    bool fitPictures();
     void applyFilter();
     void showMenu(const QPoint& at);
     void rename(const QString& key);

@@ -2,6 +2,7 @@
 #include "widgets/view3d/overlay_maker.h"
 
 #include "backend/core/data/column_unit.h"
+#include "widgets/base/numbers/quantity_text.h"
 
 #include <QLocale>
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace teleta::view3d {
 
@@ -39,7 +41,7 @@ std::optional<QPointF> placeInPicture(vtkRenderer& renderer, const Eigen::Vector
     return QPointF(0.5 * (1.0 + view[0] / view[3]), 0.5 * (1.0 - view[1] / view[3]));
 }
 
-OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& camera,
+OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneMarks& marks, const SceneCamera& camera,
                                   const Request& request) {
     const SceneColours& colours = scene.colours();
     OverlayContent content;
@@ -59,7 +61,7 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
         content.orientation[static_cast<std::size_t>(axis)] = {right[axis], orbit.up()[axis],
                                                                orbit.direction()[axis]};
     }
-    content.legend = legendOf(scene, request.grid);
+    content.legend = legendOf(scene, marks.wrench, request);
 
     if (scene.hasSensor()) {
         content.loadRange = scene.loadRange_N();
@@ -75,9 +77,12 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneCamera& ca
             addContacts(scene, content);
     }
     if (request.contactLabels) {
+        addWrench(scene, marks.wrench, content);
         addTubeMarks(scene, content);
         addObjects(scene, content);
     }
+    if (request.jointLimits)
+        addLimits(scene, marks.limits, content);
     if (!contour.isEmpty() && !request.shapeLabel.isEmpty()) {
         const Eigen::Vector3d above(contour.center().x(), contour.center().y(), contour.max().z());
         if (const auto place = placeInPicture(*scene.renderer(), above))
@@ -106,6 +111,45 @@ void OverlayMaker::addContacts(const TouchScene& scene, OverlayContent& content)
         return std::none_of(marks.begin(), marks.end(),
                             [&](const ContactMark& mark) { return mark.contact.id == known.first; });
     });
+}
+
+void OverlayMaker::addWrench(const TouchScene& scene, const WrenchPart& wrench, OverlayContent& content) {
+    if (wrench.areForcesShown() && wrench.forceTail()) {
+        m_jointForce_N.update(wrench.force()->force_N.norm());
+        if (const auto place = placeInPicture(*scene.renderer(), *wrench.forceTail()))
+            content.labels.push_back(
+                {*place,
+                 //: A force in the 3-D view, which is computed from the torques of the arm's joints
+                 tr("By the joints: %1")
+                     .arg(base::withUnit(m_jointForce_N.text().trimmed(), QStringLiteral("N"))),
+                 scene.colours().jointForce, true, true});
+    }
+    if (wrench.areMomentsShown() && wrench.momentHead()) {
+        m_moment_mNm.update(1e3 * wrench.moment_Nm());
+        if (const auto place = placeInPicture(*scene.renderer(), *wrench.momentHead()))
+            content.labels.push_back(
+                {*place,
+                 //: A moment in the 3-D view
+                 tr("Moment: %1").arg(base::withUnit(m_moment_mNm.text().trimmed(), QStringLiteral("mNm"))),
+                 scene.colours().moment, true, true});
+    }
+}
+
+void OverlayMaker::addLimits(const TouchScene& scene, const LimitPart& limits, OverlayContent& content) {
+    const auto degrees = [](double angle_rad) {
+        return base::fixedDigits(angle_rad * 180.0 / std::numbers::pi, 0);
+    };
+    for (const LimitMark& mark : limits.marks()) {
+        const auto place = placeInPicture(*scene.renderer(), mark.p_World_Label);
+        if (!place)
+            continue;
+        const JointDial& dial = mark.dial;
+        //: A joint in the 3-D view: its name, its angle, the ends of its range
+        const QString text =
+            tr("%1: %2\u00b0, range %3 \u2026 %4\u00b0")
+                .arg(dial.name, degrees(dial.angle_rad), degrees(dial.lowest_rad), degrees(dial.highest_rad));
+        content.labels.push_back({*place, text, mark.colour, true, true});
+    }
 }
 
 /// The newest ones, when there are many.
@@ -171,38 +215,44 @@ QString contactRows(const TouchScene& scene) {
     return text;
 }
 
-QStringList OverlayMaker::legendOf(const TouchScene& scene, bool grid) {
-    QStringList legend;
+std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const WrenchPart& wrench,
+                                               const Request& request) {
+    std::vector<LegendLine> legend;
+    const auto add = [&](const QString& text, LegendLine::Arrow arrow = LegendLine::Arrow::none) {
+        legend.push_back({text, arrow});
+    };
     if (scene.hasSensor()) {
         if (scene.grid().block() > 1)
-            legend += tr("Each block: the largest of %1 × %1 taxels").arg(scene.grid().block());
+            add(tr("Each block: the largest of %1 × %1 taxels").arg(scene.grid().block()));
         if (scene.surface() == Surface::cylinder) {
             const CylinderSize cylinder = scene.cylinder();
-            legend += scene.cylinderWasEnlarged()
-                          ? tr("Cylinder enlarged to fit: radius %1, length %2")
-                                .arg(millimetres(cylinder.radius_m), millimetres(cylinder.length_m))
-                          : tr("Cylinder: radius %1, length %2")
-                                .arg(millimetres(cylinder.radius_m), millimetres(cylinder.length_m));
+            add((scene.cylinderWasEnlarged() ? tr("Cylinder enlarged to fit: radius %1, length %2")
+                                             : tr("Cylinder: radius %1, length %2"))
+                    .arg(millimetres(cylinder.radius_m), millimetres(cylinder.length_m)));
         }
-        if (!scene.marks().empty()) {
-            legend += tr("Longest arrow: %1")
-                          .arg(base::withUnit(QLocale().toString(scene.forceRange_N(), 'g', 3),
-                                              QString::fromStdString(scene.snapshot().loadUnit)));
-        }
+        if (request.forces && (!scene.marks().empty() || wrench.forceTail()))
+            add(tr("Force, longest arrow: %1")
+                    .arg(base::withUnit(QLocale().toString(scene.forceRange_N(), 'g', 3),
+                                        QString::fromStdString(scene.snapshot().loadUnit))),
+                LegendLine::Arrow::straight);
+        if (wrench.areMomentsShown() && wrench.momentHead())
+            add(tr("Moment, longest arrow: %1")
+                    .arg(base::withUnit(QLocale().toString(1e3 * wrench.momentRange_Nm(), 'g', 3),
+                                        QStringLiteral("mNm"))),
+                LegendLine::Arrow::turned);
     }
     if (scene.tube().isShown()) {
         const vision::CylinderSurface& surface = scene.tube().surface();
-        legend +=
-            tr("Tube: radius %1, length %2")
-                .arg(millimetres(surface.radius_m), millimetres(surface.highest_z_m - surface.lowest_z_m));
+        add(tr("Tube: radius %1, length %2")
+                .arg(millimetres(surface.radius_m), millimetres(surface.highest_z_m - surface.lowest_z_m)));
         if (scene.tube().hasVectors())
-            legend +=
-                tr("Displacement of the skin \u00d7 %1, fainter where uncertain").arg(TubePart::kEnlargement);
+            add(tr("Displacement of the skin \u00d7 %1, fainter where uncertain")
+                    .arg(TubePart::kEnlargement));
         if (!scene.tube().marks().empty())
-            legend += tr("Ellipses: 95 % regions of the centres");
+            add(tr("Ellipses: 95 % regions of the centres"));
     }
-    if (grid)
-        legend += tr("Grid: %1").arg(millimetres(scene.gridSpacing_m()));
+    if (request.grid)
+        add(tr("Grid: %1").arg(millimetres(scene.gridSpacing_m())));
     return legend;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/view3d/marks/scene_marks.h"
 #include "widgets/view3d/scene/touch_scene.h"
 #include "widgets/view3d/scene_camera.h"
 #include "widgets/view3d/scene_overlay.h"
@@ -34,19 +35,26 @@ public:
         QString shapeLabel;
         bool contactLabels = true;
         bool grid = true;
+        bool forces = true;
+        bool jointLimits = true;
     };
 
-    [[nodiscard]] OverlayContent make(const TouchScene& scene, const SceneCamera& camera,
-                                      const Request& request);
+    [[nodiscard]] OverlayContent make(const TouchScene& scene, const SceneMarks& marks,
+                                      const SceneCamera& camera, const Request& request);
 
 private:
     void addContacts(const TouchScene& scene, OverlayContent& content);
     static void addObjects(const TouchScene& scene, OverlayContent& content);
     void addTubeMarks(const TouchScene& scene, OverlayContent& content);
-    [[nodiscard]] static QStringList legendOf(const TouchScene& scene, bool grid);
+    void addWrench(const TouchScene& scene, const WrenchPart& wrench, OverlayContent& content);
+    static void addLimits(const TouchScene& scene, const LimitPart& limits, OverlayContent& content);
+    [[nodiscard]] static std::vector<LegendLine> legendOf(const TouchScene& scene, const WrenchPart& wrench,
+                                                          const Request& request);
 
     std::map<int, base::SteadyNumber> m_forces; ///< by identity
     std::map<int, base::SteadyNumber> m_deviations_mm;
+    base::SteadyNumber m_jointForce_N;
+    base::SteadyNumber m_moment_mNm;
 };
 
 } // namespace teleta::view3d

@@ -6,10 +6,12 @@
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
+#include "widgets/view3d/marks/scene_marks.h"
 #include "widgets/view3d/mesh/geometry_export.h"
 #include "widgets/view3d/overlay_maker.h"
 #include "widgets/view3d/scene/touch_scene.h"
 #include "widgets/view3d/scene_camera.h"
+#include "widgets/view3d/scene_layers.h"
 #include "widgets/view3d/view_icons.h"
 #include "widgets/view3d/vtk/vtk_widget.h"
 
@@ -59,26 +61,40 @@ struct Scene3dView::Parts {
         , camera(scene.renderer())
         , vtk(new VtkWidget(view))
         , toolBar(new QToolBar(view))
+        , layers(new SceneLayers(view))
         , figures(view, [this] { return figure(); }) {}
 
     [[nodiscard]] OverlayContent overlay() {
-        return overlayMaker.make(scene, camera,
+        return overlayMaker.make(scene, marks, camera,
                                  {.font = vtk->font(),
                                   .provenance = provenance,
                                   .emptyText = emptyText,
                                   .shapeLabel = shapeLabel,
-                                  .contactLabels = layers[3]->isChecked(),
-                                  .grid = layers[0]->isChecked()});
+                                  .contactLabels = layers->shows(SceneLayers::contactLabels),
+                                  .grid = layers->shows(SceneLayers::grid),
+                                  .forces = layers->shows(SceneLayers::forces),
+                                  .jointLimits = layers->shows(SceneLayers::jointLimits)});
+    }
+
+    void applyColours(const SceneColours& colours) {
+        scene.applyColours(colours);
+        marks.applyColours(colours);
+    }
+    void draw() {
+        scene.draw();
+        marks.wrench.draw(scene);
     }
 
     [[nodiscard]] base::Figure figure();
 
     TouchScene scene;
+    SceneMarks marks{scene};
     SceneCamera camera;
     OverlayMaker overlayMaker;
     vtkNew<OrbitStyle> style;
     VtkWidget* vtk;
     QToolBar* toolBar;
+    SceneLayers* layers;
     base::FigureExport figures;
 
     base::Provenance provenance = base::Provenance::live;
@@ -93,7 +109,6 @@ struct Scene3dView::Parts {
     QAction* reset = nullptr;
     QAction* follow = nullptr;
     QAction* parallel = nullptr;
-    QList<QAction*> layers;
     QAction* copyPicture = nullptr;
     QAction* saveGeometry = nullptr;
 };
@@ -101,12 +116,12 @@ struct Scene3dView::Parts {
 base::Figure Scene3dView::Parts::figure() {
     // For paper, the scene is drawn once in light colours.
     const SceneColours shown = scene.colours();
-    scene.applyColours(SceneColours(base::designedPalette(false)));
-    scene.draw();
+    applyColours(SceneColours(base::designedPalette(false)));
+    draw();
     const QImage picture = vtk->picture(kPictureScale, VtkWidget::PictureOverlay::without);
     const OverlayContent content = overlay();
-    scene.applyColours(shown);
-    scene.draw();
+    applyColours(shown);
+    draw();
     return {.name = Scene3dView::tr("touch 3-D"),
             .size_px = vtk->size(),
             .paint =
@@ -136,8 +151,10 @@ Scene3dView::Scene3dView(QWidget* parent)
     parts.camera.onChange([this] { m_parts->vtk->requestRender(); });
     parts.vtk->setOverlay(
         [this](QPainter& painter, const QSizeF& size) { paintOverlay(painter, size, m_parts->overlay()); });
-    connect(parts.vtk, &VtkWidget::pixelScaleChanged, this,
-            [this](double scale) { m_parts->scene.applyPixelScale(scale); });
+    connect(parts.vtk, &VtkWidget::pixelScaleChanged, this, [this](double scale) {
+        m_parts->scene.applyPixelScale(scale);
+        m_parts->marks.applyPixelScale(scale);
+    });
     connect(parts.vtk, &VtkWidget::menuRequested, this, [this](const QPoint& position) {
         auto* menu = new QMenu(this);
         menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -195,22 +212,8 @@ void Scene3dView::makeActions() {
     parts.parallel = make(ViewIcon::parallel, {QKeySequence(Qt::Key_5)}, true);
     parts.parallel->setObjectName(QStringLiteral("parallel"));
     connect(parts.parallel, &QAction::toggled, this, [this](bool on) { m_parts->camera.setParallel(on); });
-    parts.layers = {make(ViewIcon::grid, {}, true), make(ViewIcon::axes, {}, true),
-                    make(ViewIcon::displacement, {}, true), new QAction(this)};
-    parts.layers[3]->setCheckable(true);
-    constexpr std::array kNames{"grid", "axes", "displacement", "contactLabels"};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        parts.layers[static_cast<qsizetype>(i)]->setObjectName(QLatin1String(kNames[i]));
-    for (QAction* layer : parts.layers) {
-        layer->setChecked(true);
-        connect(layer, &QAction::toggled, this, [this] {
-            Parts& p = *m_parts;
-            p.scene.setGridShown(p.layers[0]->isChecked());
-            p.scene.setAxesShown(p.layers[1]->isChecked());
-            p.scene.setDisplacementShown(p.layers[2]->isChecked());
-            p.vtk->requestRender();
-        });
-    }
+    connect(parts.layers, &SceneLayers::changed, this, &Scene3dView::showLayers);
+    connect(parts.layers, &SceneLayers::changed, this, &Scene3dView::layersChanged);
     parts.copyPicture = new QAction(this);
     parts.copyPicture->setShortcut(QKeySequence::Copy);
     parts.copyPicture->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -232,7 +235,8 @@ void Scene3dView::makeToolBar() {
     parts.toolBar->addSeparator();
     parts.toolBar->addActions({parts.follow, parts.parallel});
     parts.toolBar->addSeparator();
-    parts.toolBar->addActions({parts.layers[0], parts.layers[1], parts.layers[2]});
+    for (const SceneLayers::Layer layer : {SceneLayers::grid, SceneLayers::axes, SceneLayers::displacement})
+        parts.toolBar->addAction(parts.layers->action(layer));
 }
 
 void Scene3dView::retranslate() {
@@ -252,10 +256,20 @@ void Scene3dView::retranslate() {
     name(parts.reset, tr("Show all"), tr("Back to the initial view: everything from a corner"));
     name(parts.follow, tr("Follow contact"), tr("Keep the strongest contact in the middle"));
     name(parts.parallel, tr("Orthographic"), tr("Parallel lines stay parallel: no perspective"));
-    name(parts.layers[0], tr("Grid"), tr("Show the ground with a grid in millimetres"));
-    name(parts.layers[1], tr("Axes"), tr("Show the axes of the array's frame"));
-    name(parts.layers[2], tr("Displacement"), tr("Show how far each contact moved since it began"));
-    name(parts.layers[3], tr("Contact labels"), tr("Show number and force at each contact"));
+    const auto layer = [&](SceneLayers::Layer which, const QString& text, const QString& help) {
+        name(parts.layers->action(which), text, help);
+    };
+    layer(SceneLayers::grid, tr("Grid"), tr("Show the ground with a grid in millimetres"));
+    layer(SceneLayers::axes, tr("Axes"), tr("Show the axes of the array's frame"));
+    layer(SceneLayers::displacement, tr("Displacement"),
+          tr("Show how far each contact moved since it began"));
+    layer(SceneLayers::contactLabels, tr("Contact labels"), tr("Show number and force at each contact"));
+    layer(SceneLayers::trail, tr("Trail of the tip"), tr("Show where the arm's tip was in the last 5 s"));
+    layer(SceneLayers::jointLimits, tr("Joint limits"),
+          tr("Show range and angle of each joint that is near the end of its range"));
+    layer(SceneLayers::forces, tr("Forces"), tr("Show forces as arrows"));
+    layer(SceneLayers::moments, tr("Moments"),
+          tr("Show the moment of the loads on a flat array about their centre, as an arrow that turns"));
     name(parts.copyPicture, tr("Copy picture"), tr("Copy the picture"));
     name(parts.saveGeometry, tr("Export geometry…"), tr("Save the scene for other programs: VTP, PLY, STL"));
     parts.toolBar->setAccessibleName(tr("3-D view"));
@@ -279,7 +293,7 @@ void Scene3dView::fillMenu(QMenu& menu) {
     menu.addSeparator();
     menu.addActions({parts.follow, parts.parallel});
     menu.addSeparator();
-    menu.addActions(parts.layers);
+    menu.addActions(parts.layers->actions());
     menu.addSeparator();
     parts.figures.addActions(menu);
     menu.addAction(parts.saveGeometry);
@@ -296,6 +310,7 @@ void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
         clear();
         return;
     case TouchScene::Taken::fresh:
+        parts.marks.wrench.take(snapshot);
         break;
     }
     if (isVisible())
@@ -306,6 +321,7 @@ void Scene3dView::refresh() {
     Parts& parts = *m_parts;
     if (parts.scene.draw())
         sceneMoved(true);
+    parts.marks.wrench.draw(parts.scene);
     const double time_s = parts.scene.snapshot().sourceTime_s;
     if (parts.follow->isChecked() && !parts.scene.marks().empty()) {
         parts.camera.follow(parts.scene.toWorld(parts.scene.marks().front().p_Sensor_Foot),
@@ -322,6 +338,7 @@ void Scene3dView::sceneMoved(bool refit) {
 void Scene3dView::clear() {
     if (m_parts->scene.hasSensor()) {
         m_parts->scene.clear();
+        drawWrench();
         sceneMoved(true);
     }
 }
@@ -357,6 +374,7 @@ void Scene3dView::setCylinder(const CylinderSize& cylinder) {
 
 void Scene3dView::setSensorPose(const Eigen::Isometry3d& X_World_Sensor) {
     m_parts->scene.setSensorPose(X_World_Sensor);
+    drawWrench();
     sceneMoved(false);
 }
 
@@ -387,6 +405,66 @@ void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
     const bool wasEmpty = m_parts->scene.armBox_m().isEmpty();
     m_parts->scene.setArmLinks(links);
     sceneMoved(wasEmpty != m_parts->scene.armBox_m().isEmpty());
+}
+
+void Scene3dView::setTip(const Eigen::Vector3d& p_World_m, double time_s) {
+    if (m_parts->marks.trail.add(p_World_m, time_s))
+        m_parts->vtk->requestRender();
+}
+
+void Scene3dView::setJoints(std::span<const JointDial> dials) {
+    if (m_parts->marks.limits.set(dials))
+        m_parts->vtk->requestRender();
+}
+
+void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
+    Parts& parts = *m_parts;
+    if (!force && !parts.marks.wrench.force())
+        return;
+    parts.marks.wrench.setForce(force);
+    parts.scene.setOtherForce(force && force->force_N.allFinite() ? force->force_N.norm() : 0.0);
+    drawWrench();
+    parts.vtk->requestRender();
+}
+
+void Scene3dView::forgetArm() {
+    m_parts->marks.trail.clear();
+    m_parts->marks.limits.set({});
+    setForce(std::nullopt);
+    m_parts->vtk->requestRender();
+}
+
+void Scene3dView::setArrayBent(bool bent) {
+    m_parts->marks.wrench.setArrayBent(bent);
+    drawWrench();
+}
+
+/// The arrows lie in the world: they move with what they act on.
+void Scene3dView::drawWrench() {
+    if (isVisible())
+        m_parts->marks.wrench.draw(m_parts->scene);
+}
+
+void Scene3dView::showLayers() {
+    Parts& parts = *m_parts;
+    const SceneLayers& layers = *parts.layers;
+    parts.scene.setGridShown(layers.shows(SceneLayers::grid));
+    parts.scene.setAxesShown(layers.shows(SceneLayers::axes));
+    parts.scene.setDisplacementShown(layers.shows(SceneLayers::displacement));
+    parts.scene.setForcesShown(layers.shows(SceneLayers::forces));
+    parts.marks.trail.setVisible(layers.shows(SceneLayers::trail));
+    parts.marks.limits.setVisible(layers.shows(SceneLayers::jointLimits));
+    parts.marks.wrench.setForcesShown(layers.shows(SceneLayers::forces));
+    parts.marks.wrench.setMomentsShown(layers.shows(SceneLayers::moments));
+    parts.vtk->requestRender();
+}
+
+QStringList Scene3dView::hiddenLayers() const {
+    return m_parts->layers->hidden();
+}
+
+void Scene3dView::setHiddenLayers(const QStringList& names) {
+    m_parts->layers->setHidden(names);
 }
 
 void Scene3dView::setTube(const pipeline::CameraSnapshot* snapshot) {
@@ -458,7 +536,7 @@ bool Scene3dView::event(QEvent* event) {
 }
 
 void Scene3dView::applyPalette() {
-    m_parts->scene.applyColours(SceneColours(palette()));
+    m_parts->applyColours(SceneColours(palette()));
     refresh();
 }
 

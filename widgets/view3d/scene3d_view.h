@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <span>
 
 class QMenu;
@@ -22,8 +23,9 @@ struct CameraSnapshot;
 namespace teleta::view3d {
 
 /// The touch in space: the tactile array, flat or wrapped around a cylinder, with loads as heights and
-/// colours, contacts with force arrows and displacements; and, in the world frame, the arm and the contour
-/// explored by touch. While hidden, or without OpenGL, it only stores what it is given.
+/// colours, contacts with force arrows and displacements; and, in the world frame, the arm with the trail of
+/// its tip and the joints that are near a limit, and the contour explored by touch. While hidden, or without
+/// OpenGL, it only stores what it is given.
 ///
 /// Mouse: left turns, middle or Shift+left moves, right or wheel zooms, right click opens the menu; hover
 /// names a contact. Keys: 1 front, 2 top, 3 side, 4 isometric, R or Home the initial view, 5 projection, F
@@ -54,6 +56,18 @@ public:
     void setObjects(std::span<const DrawnObject> objects);
     /// The arm, starting at its base; empty: none.
     void setArmLinks(std::span<const ArmLink> links);
+    /// Where the arm's tip is at a time of the arm's own: it draws a trail that fades over 5 s. The trail
+    /// begins anew when the time goes back or jumps.
+    void setTip(const Eigen::Vector3d& p_World_m, double time_s);
+    /// All joints of the arm that turn, always in the same order; one that is near the end of its range is
+    /// marked. Empty: none.
+    void setJoints(std::span<const JointDial> dials);
+    /// The force that the arm's joints tell; empty: they tell none. Shown while the array's loads are in N.
+    void setForce(const std::optional<DrawnForce>& force);
+    /// The array is bent in truth, however it is drawn: the moment of its loads is not known.
+    void setArrayBent(bool bent);
+    /// No trail, no joints, no force.
+    void forgetArm();
     /// Bounding box of the arm shown; empty: none. World frame, m.
     [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const;
     /// The tube watched by a camera from inside, with its contacts; null: none.
@@ -64,6 +78,10 @@ public:
     /// The isometric view of everything.
     void resetView();
 
+    /// Names of the layers that are switched off, for the settings.
+    [[nodiscard]] QStringList hiddenLayers() const;
+    void setHiddenLayers(const QStringList& names);
+
     /// All actions of the view; also the context menu.
     void fillMenu(QMenu& menu);
     /// Writes the drawn geometry as .vtp, .ply or .stl, in mm. Errors: see exportGeometry().
@@ -73,6 +91,8 @@ signals:
     /// A picture, its data or the geometry was written.
     void saved(const QString& path);
     void failed(const QString& message);
+    /// A layer was switched on or off.
+    void layersChanged();
 
 protected:
     bool event(QEvent* event) override;
@@ -88,6 +108,8 @@ private:
     void retranslate();
     void applyPalette();
     void refresh();
+    void showLayers();
+    void drawWrench();
     void sceneMoved(bool refit);
     void askForGeometryFile();
     [[nodiscard]] QString contactTextAt(const QPoint& position) const;

@@ -10,6 +10,7 @@
 #include <QLinearGradient>
 #include <QLocale>
 #include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <numeric>
@@ -19,6 +20,8 @@ namespace teleta::view3d {
 namespace {
 
 constexpr double kLegendFrom = 15.0; ///< height in em
+constexpr double kSign_em = 1.5;     ///< width of an arrow beside its text
+constexpr double kSignHead_em = 0.5; ///< length of its head
 constexpr double kLeader_em = 2.0;   ///< length of the line to a card at the side
 
 class OverlayPainter {
@@ -176,12 +179,51 @@ private:
         m_painter.setPen(m_content.colours.faintText);
         double bottom = m_size.height() - m_margin;
         const double width = m_size.width() - left - m_margin;
+        const bool hasArrows = std::ranges::any_of(
+            m_content.legend, [](const LegendLine& line) { return line.arrow != LegendLine::Arrow::none; });
+        const double indent = hasArrows ? (kSign_em + 0.4) * m_em : 0.0;
         for (auto line = m_content.legend.crbegin(); line != m_content.legend.crend(); ++line) {
-            m_painter.drawText(QRectF(left, bottom - m_metrics.height(), width, m_metrics.height()),
-                               Qt::AlignLeft | Qt::AlignVCenter,
-                               m_metrics.elidedText(*line, Qt::ElideRight, width));
+            QRectF place(left, bottom - m_metrics.height(), width, m_metrics.height());
+            if (line->arrow != LegendLine::Arrow::none) {
+                const QRectF sign(place.topLeft(), QSizeF(kSign_em * m_em, place.height()));
+                line->arrow == LegendLine::Arrow::straight ? paintStraightArrow(sign)
+                                                           : paintTurnedArrow(sign);
+                m_painter.setPen(m_content.colours.faintText);
+            }
+            place.setLeft(left + indent);
+            m_painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                               m_metrics.elidedText(line->text, Qt::ElideRight, place.width()));
             bottom -= m_metrics.height();
         }
+    }
+
+    void paintStraightArrow(const QRectF& sign) {
+        const double y = sign.center().y();
+        m_painter.setPen(QPen(m_content.colours.text, 0.12 * m_em, Qt::SolidLine, Qt::FlatCap));
+        m_painter.drawLine(QPointF(sign.left(), y), QPointF(sign.right() - kSignHead_em * m_em, y));
+        paintHead(QPointF(sign.right(), y), QPointF(1.0, 0.0));
+    }
+
+    void paintTurnedArrow(const QRectF& sign) {
+        // Over the upper part of a circle, clockwise.
+        const double radius = 0.42 * m_em;
+        const QPointF centre(sign.center().x(), sign.center().y() + 0.45 * radius);
+        const QRectF circle(centre - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
+        constexpr int kDegree = 16; // Qt's unit is a sixteenth
+        m_painter.setPen(QPen(m_content.colours.text, 0.12 * m_em, Qt::SolidLine, Qt::FlatCap));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.drawArc(circle, 210 * kDegree, -190 * kDegree);
+        paintHead(centre + QPointF(radius, 0.45 * radius), QPointF(0.0, 1.0));
+    }
+
+    /// way: of length 1.
+    void paintHead(const QPointF& tip, const QPointF& way) {
+        const double length = kSignHead_em * m_em;
+        const QPointF across(-way.y(), way.x());
+        const QPointF neck = tip - length * way;
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(m_content.colours.text);
+        m_painter.drawPolygon(QPolygonF{tip, neck + 0.45 * length * across, neck - 0.45 * length * across});
     }
 
     QPainter& m_painter;

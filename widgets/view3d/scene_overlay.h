@@ -9,7 +9,6 @@
 #include <QPointF>
 #include <QSizeF>
 #include <QString>
-#include <QStringList>
 
 #include <array>
 #include <vector>
@@ -27,6 +26,17 @@ struct OverlayLabel {
     bool beside = false; ///< a card at the side of the point, tied to it by a line: it hides nothing there
 };
 
+/// A line below the scene.
+struct LegendLine {
+    enum class Arrow {
+        none,
+        straight, ///< beside the text, as forces are drawn
+        turned,   ///< likewise, as moments are
+    };
+    QString text;
+    Arrow arrow = Arrow::none;
+};
+
 /// Everything written over the 3-D picture. A value, so that a saved picture keeps its own.
 struct OverlayContent {
     QFont font;
@@ -35,7 +45,7 @@ struct OverlayContent {
     QString emptyText;      ///< shown instead of everything else; empty: there are data
     double loadRange = 0.0; ///< end of the colour bar; 0: no bar
     QString loadUnit;
-    QStringList legend;
+    std::vector<LegendLine> legend;
     std::vector<OverlayLabel> labels;
     bool orientationShown = false;
     /// Directions x, y, z on the screen: right, up, toward the viewer.

@@ -59,6 +59,15 @@ public:
     [[nodiscard]] QByteArray layout(const QString& page) const { return bytes("layout/" + page); }
     void setLayout(const QString& page, const QByteArray& layout) { set("layout/" + page, layout); }
 
+    /// Names of the first steps that were done, and whether the start page shows them.
+    [[nodiscard]] QStringList firstStepsDone() const { return list(QStringLiteral("start/done")); }
+    void setFirstStepsDone(const QStringList& names) { set("start/done", names); }
+    [[nodiscard]] bool showsFirstSteps() const { return flag("start/steps", true); }
+    void setShowsFirstSteps(bool shows) { set("start/steps", shows); }
+    /// Names of what is switched off in the 3-D view.
+    [[nodiscard]] QStringList hiddenLayers() const { return list(QStringLiteral("view3d/hidden")); }
+    void setHiddenLayers(const QStringList& names) { set("view3d/hidden", names); }
+
     /// Layouts of the docks of the Operate page that have a name.
     [[nodiscard]] QMap<QString, QByteArray> namedLayouts() const;
     /// An empty layout takes the name away.

@@ -108,7 +108,7 @@ bool CostMeasuring::isCancelled() const {
 void CostMeasuring::finish(core::Expected<cost::Measurement> measured) {
     m_run.reset();
     if (!measured)
-        emit failed(tr("The ladders could not be measured."),
+        emit failed(tr("The jobs could not be measured."),
                     QString::fromStdString(core::describe(measured.error())));
     else
         keep(std::move(measured->ladders));

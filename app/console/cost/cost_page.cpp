@@ -2,11 +2,11 @@
 #include "app/console/cost/cost_page.h"
 
 #include "app/common/scene_file.h"
+#include "app/console/cost/cost_words.h"
 #include "app/console/cost/sweep_panel.h"
 #include "backend/cost/frontier.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "widgets/base/compose.h"
-#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/stage_bar.h"
@@ -49,19 +49,6 @@ enum Column {
     p99Column,
     columns
 };
-
-QString quantity(double value, const QString& unit) {
-    if (std::isnan(value))
-        return QStringLiteral("\u2014");
-    const bool isShare = unit == QStringLiteral("1");
-    const double number = isShare ? 100.0 * value : value;
-    const double least = isShare ? 0.01 : 1e-12;
-    // Rounding errors have no prefix that anybody would know.
-    if (number != 0.0 && std::abs(number) < least)
-        return base::withUnit(QLocale().toString(number, 'e', 1), isShare ? QStringLiteral("%") : unit);
-    return isShare ? base::withUnit(base::threeDigits(number).trimmed(), QStringLiteral("%"))
-                   : base::siQuantity(number, unit).simplified();
-}
 
 QLabel* heading(QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -142,6 +129,7 @@ CostPage::CostPage(const CostMeasuring::MakeLadders& makeLadders, const QString&
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
         const QTableWidgetItem* item = m_table->item(row, rungColumn);
         m_chart->setChosen(item == nullptr ? QString() : item->data(Qt::UserRole).toString());
+        showWords();
     });
     connect(m_rungs, &QComboBox::activated, this, [this] { chooseRung(m_rungs->currentData().toString()); });
     connect(m_budget_ms, &QDoubleSpinBox::valueChanged, this, &CostPage::showBudget);
@@ -208,9 +196,16 @@ QWidget* CostPage::makeMiddle() {
     m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.7));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(parameterColumn, QHeaderView::Stretch);
+    m_words = wrapped(middle);
+    m_words->setObjectName(QStringLiteral("words"));
+    auto* charted = new QWidget(middle);
+    auto* chartColumn = new QVBoxLayout(charted);
+    chartColumn->setContentsMargins(0, 0, 0, base::grid(this));
+    chartColumn->addWidget(m_chart, 1);
+    chartColumn->addWidget(m_words);
     auto* parts = new QSplitter(Qt::Vertical, middle);
     parts->setChildrenCollapsible(false);
-    parts->addWidget(m_chart);
+    parts->addWidget(charted);
     parts->addWidget(m_table);
     parts->setStretchFactor(0, 3);
     parts->setStretchFactor(1, 2);
@@ -261,13 +256,19 @@ std::string CostPage::ladderShown() const {
     return item == nullptr ? std::string() : item->data(Qt::UserRole).toString().toStdString();
 }
 
+QString CostPage::cameraJob() const {
+    const auto& ladders = m_measuring->ladders();
+    const auto job = std::ranges::find(ladders, kCameraLadder, &cost::Ladder::name);
+    return job == ladders.end() ? QString::fromLatin1(kCameraLadder) : QString::fromStdString(job->title);
+}
+
 void CostPage::showLadders() {
     for (int row = 0; row < m_list->count(); ++row) {
         const cost::Ladder& ladder = m_measuring->ladders()[static_cast<std::size_t>(row)];
         const QString name = QString::fromStdString(ladder.name);
         const bool measured = m_measuring->costOf(ladder.name) != nullptr;
         m_list->item(row)->setText(QString::fromStdString(ladder.title) + QLatin1Char('\n') +
-                                   (measured ? name : tr("%1 (not measured)", "name of a ladder").arg(name)));
+                                   (measured ? name : tr("%1 (not measured)", "name of a job").arg(name)));
     }
 }
 
@@ -281,11 +282,12 @@ void CostPage::showCosts() {
     const cost::LadderCost* found = m_measuring->costOf(name);
     QString truth = tr("Error: %1.").arg(QString::fromStdString(ladder->truth));
     if (const auto over = found != nullptr ? cost::overLimit(found->rungs) : std::nullopt)
-        truth += QLatin1Char('\n') + tr("Fastest: %1, %2 times the limit (%3: %4).")
-                                         .arg(QString::fromStdString(over->fastest->name),
-                                              QLocale().toString(over->times, 'g', 3),
-                                              QString::fromStdString(over->limit->parameter),
-                                              quantity(over->limit->timeMedian_s, QStringLiteral("s")));
+        truth +=
+            QLatin1Char('\n') + tr("Fastest: %1, %2 times the limit (%3: %4).")
+                                    .arg(QString::fromStdString(over->fastest->name),
+                                         QLocale().toString(over->times, 'g', 3),
+                                         QString::fromStdString(over->limit->parameter),
+                                         CostWords::quantity(over->limit->timeMedian_s, QStringLiteral("s")));
     m_truth->setText(truth);
     const cost::LadderCost costs = found != nullptr ? *found : cost::LadderCost{name, ladder->errorUnit, {}};
     m_results->setCurrentIndex(found != nullptr ? 1 : 0);
@@ -304,21 +306,41 @@ void CostPage::showCosts() {
             }
             m_table->setItem(row, column, item);
         };
-        set(rungColumn, rung.pareto ? tr("%1 (frontier)", "name of a rung").arg(rungName) : rungName, false);
+        set(rungColumn, rung.pareto ? tr("%1 (frontier)", "name of a setting").arg(rungName) : rungName,
+            false);
         m_table->item(row, rungColumn)->setData(Qt::UserRole, rungName);
         set(parameterColumn, QString::fromStdString(rung.parameter), false);
-        set(errorColumn, quantity(rung.errorMean, unit), true);
-        set(p95Column, quantity(rung.errorP95, unit), true);
-        set(worstColumn, quantity(rung.errorMax, unit), true);
+        set(errorColumn, CostWords::quantity(rung.errorMean, unit), true);
+        set(p95Column, CostWords::quantity(rung.errorP95, unit), true);
+        set(worstColumn, CostWords::quantity(rung.errorMax, unit), true);
         set(timeColumn,
-            rung.isTimed() ? quantity(rung.timeMedian_s, QStringLiteral("s")) : tr("refused: too noisy"),
+            rung.isTimed() ? CostWords::quantity(rung.timeMedian_s, QStringLiteral("s"))
+                           : tr("refused: too noisy"),
             true);
-        set(p99Column, quantity(rung.timeP99_s, QStringLiteral("s")), true);
+        set(p99Column, CostWords::quantity(rung.timeP99_s, QStringLiteral("s")), true);
     }
     m_chart->setLadder(costs);
     m_chart->setRungInUse(name == kCameraLadder ? m_inUse : QString());
+    showWords();
     showBudget();
     showRunning();
+}
+
+/// Of the setting that runs, or else of the chosen one.
+void CostPage::showWords() {
+    const cost::LadderCost* found = m_measuring->costOf(ladderShown());
+    const QTableWidgetItem* chosen = m_table->item(m_table->currentRow(), rungColumn);
+    const bool runs = ladderShown() == kCameraLadder && !m_inUse.isEmpty();
+    const QString setting = chosen != nullptr ? chosen->data(Qt::UserRole).toString() : m_inUse;
+    QString words;
+    if (found != nullptr && runs)
+        words = CostWords::about(*found, m_inUse.toStdString(), true);
+    if (found != nullptr && chosen != nullptr && (!runs || setting != m_inUse))
+        words += (words.isEmpty() ? QString() : QStringLiteral("\n")) +
+                 CostWords::about(*found, setting.toStdString(), false);
+    if (found != nullptr && words.isEmpty())
+        words = tr("Choose a setting in the table or the chart to read what it costs and gives.");
+    m_words->setText(words);
 }
 
 void CostPage::showRunning() {
@@ -347,15 +369,15 @@ void CostPage::showBudget() {
     m_chart->setBudget(ladderShown() == kCameraLadder ? std::optional(budget_s) : std::nullopt);
     m_best.clear();
     if (costs == nullptr) {
-        m_budgetText->setText(tr("Measure the ladder %1 first.").arg(QLatin1String(kCameraLadder)));
+        m_budgetText->setText(tr("Measure \"%1\" first.").arg(cameraJob()));
     } else if (const cost::RungCost* best = cost::bestWithin(costs->rungs, budget_s)) {
         m_best = QString::fromStdString(best->name);
-        m_budgetText->setText(tr("%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).")
-                                  .arg(m_best,
-                                       quantity(best->errorMean, QString::fromStdString(costs->errorUnit)),
-                                       quantity(best->timeP99_s, QStringLiteral("s"))));
+        m_budgetText->setText(
+            tr("%1: %2 on average, 99 of 100 frames within %3 (1640 x 1232 pixels).")
+                .arg(m_best, CostWords::quantity(best->errorMean, QString::fromStdString(costs->errorUnit)),
+                     CostWords::quantity(best->timeP99_s, QStringLiteral("s"))));
     } else {
-        m_budgetText->setText(tr("No rung is fast enough: only one frame in 100 may take longer."));
+        m_budgetText->setText(tr("No setting is fast enough: only one frame in 100 may take longer."));
     }
     m_useBest->setEnabled(m_camera != nullptr && !m_best.isEmpty());
 }
@@ -402,7 +424,7 @@ void CostPage::tick(const std::shared_ptr<pipeline::CameraChannel>& camera) {
                                                   static_cast<qsizetype>(snapshot.refusedRung.size()));
         if (!m_wish.isEmpty() && m_wish == refused)
             m_messages->post({chrome::Message::Severity::error,
-                              tr("The rung %1 cannot be used.").arg(refused),
+                              tr("The setting %1 cannot be used.").arg(refused),
                               QString::fromStdString(snapshot.whyRefused), QString()});
         if (inUse == m_wish || refused == m_wish)
             m_wish.clear();
@@ -413,31 +435,32 @@ void CostPage::tick(const std::shared_ptr<pipeline::CameraChannel>& camera) {
     if (inUse != m_inUse) {
         m_inUse = inUse;
         m_chart->setRungInUse(ladderShown() == kCameraLadder ? m_inUse : QString());
+        showWords();
     }
 }
 
 void CostPage::retranslate() {
-    m_tabs->setTabText(0, tr("Ladders"));
+    m_tabs->setTabText(0, tr("Settings"));
     m_tabs->setTabText(1, tr("Sweeps"));
-    m_ladderHeading->setText(tr("Ladders"));
-    m_list->setAccessibleName(tr("Ladders of rungs from cheap to exact"));
-    m_measure->setText(tr("&Measure this ladder"));
-    m_measureAll->setText(tr("Measure &all ladders"));
+    m_ladderHeading->setText(tr("Jobs"));
+    m_list->setAccessibleName(tr("Jobs that can be done fast or exactly"));
+    m_measure->setText(tr("&Measure this job"));
+    m_measureAll->setText(tr("Measure &all jobs"));
     m_measureAll->setToolTip(tr("Takes a few minutes; you can go on using the console"));
     m_cancel->setText(tr("&Cancel"));
-    m_measureEmpty->setText(tr("Measure this ladder"));
-    m_measureAllEmpty->setText(tr("Measure all ladders"));
+    m_measureEmpty->setText(tr("Measure this job"));
+    m_measureAllEmpty->setText(tr("Measure all jobs"));
     m_measureAllEmpty->setToolTip(tr("Takes a few minutes; you can go on using the console"));
-    m_table->setHorizontalHeaderLabels({tr("Rung"), tr("Parameter"), tr("Mean error"), tr("95 %"),
+    m_table->setHorizontalHeaderLabels({tr("Setting"), tr("Parameter"), tr("Mean error"), tr("95 %"),
                                         tr("Worst"), tr("Median time"), tr("99 % time")});
-    m_table->setAccessibleName(tr("Rungs with their errors and times"));
+    m_table->setAccessibleName(tr("Settings with their errors and times"));
     m_cameraHeading->setText(tr("Camera in use"));
-    m_rungLabel->setText(tr("&Rung in use"));
-    m_rungs->setAccessibleName(tr("Rung that finds the contacts"));
+    m_rungLabel->setText(tr("&Setting in use"));
+    m_rungs->setAccessibleName(tr("Setting that finds the contacts"));
     m_stagesLabel->setText(tr("Time of a frame, now"));
     m_budgetLabel->setText(tr("Time &budget of a frame"));
     m_budget_ms->setSuffix(tr(" ms a frame"));
-    m_useBest->setText(tr("&Use the best rung within it"));
+    m_useBest->setText(tr("&Use the best setting within it"));
     m_noCamera->setText(tr("No camera is shown on the page Operate."));
     m_openCamera->setText(tr("Open a demo with a camera"));
     showLadders();

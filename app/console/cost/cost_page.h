@@ -35,9 +35,9 @@ namespace teleta::console {
 
 class SweepPanel;
 
-/// The Cost page: sweeps on a tab of their own; the ladders, what their rungs cost on this machine, and for
-/// the camera that is shown the rung in use, its live stage times, and a time budget that picks a rung.
-/// Thread: GUI.
+/// The Cost page: sweeps on a tab of their own; the ladders, what their rungs cost on this machine, in a
+/// chart and in words, and for the camera that is shown the rung in use, its live stage times, and a time
+/// budget that picks a rung. On the screen a ladder is a job, and a rung a setting of it. Thread: GUI.
 class CostPage : public QWidget {
     Q_OBJECT
 
@@ -63,6 +63,9 @@ private:
     void retranslate();
     void showLadders();
     void showCosts();
+    void showWords();
+    /// The title of the camera's job.
+    [[nodiscard]] QString cameraJob() const;
     void showRunning();
     void showBudget();
     void chooseRung(const QString& name);
@@ -84,6 +87,7 @@ private:
     QLabel* m_title;
     QLabel* m_truth;
     cost::CostChart* m_chart;
+    QLabel* m_words;
     QTableWidget* m_table;
     QStackedWidget* m_results;
     QLabel* m_cameraHeading;

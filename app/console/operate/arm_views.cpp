@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/arm_views.h"
 
+#include "app/console/operate/joint_dials.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/touch/contour_view.h"
 #include "widgets/touch/run_sheet.h"
@@ -88,6 +89,7 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     m_contour->setProvenance(provenance);
     const core::ArrayLayout& skin = m_arm->skin()->description().layout;
     m_scene.setSurface(view3d::Surface::cylinder);
+    m_scene.setArrayBent(true);
     m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
     // Nothing new may come: a recording that is paused stands as it was left.
     if (auto kept = m_kept.extract(m_arm)) {
@@ -110,6 +112,8 @@ void ArmViews::clear() {
     m_sheet->clear();
     m_contour->clear();
     m_scene.setArmLinks({});
+    m_scene.forgetArm();
+    m_scene.setArrayBent(false);
     m_scene.setContour({}, {}, {}, {});
     m_scene.setObjects({});
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
@@ -199,6 +203,15 @@ void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
     // The sheet's z points out of the skin: at its centre that is +z of the forearm, turned by the side.
     m_scene.setSensorPose(X_Base_Forearm * Eigen::Translation3d(description.skin.centreDistance_m, 0.0, 0.0) *
                           Eigen::AngleAxisd(description.skin.centreSide_rad, Eigen::Vector3d::UnitX()));
+    m_scene.setTip(X_Base_Forearm * Eigen::Vector3d(description.forearmLength_m, 0.0, 0.0),
+                   snapshot.newest.sourceTime_s);
+    m_scene.setJoints(armDials(m_kinematics, description, angle_rad));
+    // What a direction without a lever hides is not known: no arrow rather than a wrong one.
+    const auto& contact = snapshot.contact;
+    const bool known = contact && contact->force && contact->force->observedDirections == 3;
+    m_scene.setForce(
+        known ? std::optional(view3d::DrawnForce{contact->p_Base_Contact_m, -contact->force->force_N})
+              : std::nullopt);
 }
 
 void ArmViews::showContour(const pipeline::ExploredContour& contour) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/joint_views.h"
 
+#include "app/console/operate/joint_dials.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
@@ -78,8 +79,10 @@ void JointViews::setTouching(bool touching) {
 
 void JointViews::clear() {
     m_chart->clear();
-    if (m_arm)
+    if (m_arm) {
         m_scene.setArmLinks({});
+        m_scene.forgetArm();
+    }
     m_asked = false;
     m_silent = false;
     m_sample_ns = m_sampleCame_ns = 0;
@@ -162,9 +165,12 @@ void JointViews::showChain(const core::JointSample& sample) {
         reach_m += link.length_m;
         from_m = point_m;
     }
+    const double radius_m = std::max(kThinnest_m, kThickness * reach_m);
     for (view3d::ArmLink& link : links)
-        link.radius_m = std::max(kThinnest_m, kThickness * reach_m);
+        link.radius_m = radius_m;
     m_scene.setArmLinks(links);
+    m_scene.setTip(from_m, sample.sourceTime_s);
+    m_scene.setJoints(chainDials(chain, sample.angle_rad, radius_m));
 }
 
 void JointViews::setProgramRunning(bool running) {

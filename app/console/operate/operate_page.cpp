@@ -2,27 +2,21 @@
 #include "app/console/operate/operate_page.h"
 
 #include "app/console/sources/source_provenance.h"
-#include "app/console/start/start_pictures.h"
+#include "app/console/start/start_page.h"
 #include "app/sources/site_request.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
-#include "widgets/chrome/demo_card.h"
-#include "widgets/chrome/demo_list.h"
-#include "widgets/chrome/empty_state.h"
 #include "widgets/chrome/playback_bar.h"
-#include "widgets/chrome/recent_list.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/tactile/channel_settings_panel.h"
 #include "widgets/tactile/heatmap_view.h"
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QHBoxLayout>
-#include <QPushButton>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -52,9 +46,6 @@ chrome::DeviceReading readingOf(const core::DeviceStatus& status, const SourceMa
     return reading;
 }
 
-/// The start page is whole before scenes are run for its pictures.
-constexpr int kPicturesAfter_ms = 1000;
-
 } // namespace
 
 OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core::StopSwitch& stop,
@@ -67,11 +58,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_chooser(new chrome::SourceChooser(this))
     , m_playback(new chrome::PlaybackBar(this))
     , m_stack(new QStackedWidget(this))
-    , m_empty(new chrome::EmptyState(base::Icon::sensor, this))
-    , m_recent(new chrome::RecentList(this))
-    , m_demos(new chrome::DemoList(this))
-    , m_pictures(new StartPictures(
-          QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/scenes"), this))
+    , m_start(new StartPage(this))
     , m_docks(new OperateDocks(this))
     , m_heatmap(new tactile::HeatmapView(this))
     , m_charts(new charts::StripChartView(this))
@@ -98,7 +85,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     m_docks->add(OperateDocks::marks, &m_marks->list());
     m_docks->begin();
 
-    m_stack->addWidget(m_empty);
+    m_stack->addWidget(m_start);
     m_stack->addWidget(m_docks);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -108,26 +95,11 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     layout->addWidget(&m_site->bar());
     layout->addWidget(m_stack, 1);
 
-    auto* demo = m_empty->addAction(QString(), QString());
-    auto* recording = m_empty->addAction(QString(), QString());
-    auto* list = m_empty->addAction(QString(), QString());
-    demo->setObjectName(QStringLiteral("openDemo"));
-    recording->setObjectName(QStringLiteral("openRecording"));
-    list->setObjectName(QStringLiteral("openList"));
-    auto* firstSteps = m_empty->addAction(QString(), QString());
-    firstSteps->setObjectName(QStringLiteral("firstSteps"));
-    connect(firstSteps, &QPushButton::clicked, this, &OperatePage::firstStepsRequested);
-    m_empty->setMore(m_recent);
-    m_empty->setMore(m_demos);
-    connect(m_demos, &chrome::DemoList::demoRequested, m_chooser, &chrome::SourceChooser::demoRequested);
-    m_askForPictures.setSingleShot(true);
-    m_askForPictures.setInterval(kPicturesAfter_ms);
-    connect(&m_askForPictures, &QTimer::timeout, this, &OperatePage::requestPictures);
-    connect(m_pictures, &StartPictures::made, m_demos, &chrome::DemoList::setPicture);
-    base::onChange(this, [this] { m_askForPictures.start(); }, {QEvent::PaletteChange});
-    connect(demo, &QPushButton::clicked, this, &OperatePage::demoRequested);
-    connect(recording, &QPushButton::clicked, this, &OperatePage::openRecordingRequested);
-    connect(list, &QPushButton::clicked, this, &OperatePage::openListRequested);
+    connect(m_start, &StartPage::cardRequested, this, &OperatePage::openCard);
+    connect(m_start, &StartPage::demoRequested, this, &OperatePage::demoRequested);
+    connect(m_start, &StartPage::handbookRequested, this, &OperatePage::firstStepsRequested);
+    connect(m_start, &StartPage::openRecordingRequested, this, &OperatePage::openRecordingRequested);
+    connect(m_start, &StartPage::openListRequested, this, &OperatePage::openListRequested);
 
     connect(&m_sources, &SourceManager::activeChanged, this, &OperatePage::onActiveChanged);
     connect(&m_sources, &SourceManager::itemsChanged, this, &OperatePage::onSourcesChanged);
@@ -321,12 +293,7 @@ void OperatePage::onSourcesChanged() {
     core::PlaybackControl* control = playback();
     m_playback->setMarks(control != nullptr ? control->marks() : std::vector<core::PlaybackMark>());
     m_playback->setVisible(control != nullptr);
-    QWidget* shown = m_sources.items().empty() ? static_cast<QWidget*>(m_empty) : m_docks;
-    m_stack->setCurrentWidget(shown);
-    if (shown == m_empty)
-        m_askForPictures.start();
-    else
-        m_pictures->pause();
+    m_stack->setCurrentWidget(m_sources.items().empty() ? static_cast<QWidget*>(m_start) : m_docks);
 }
 
 template <typename Call>
@@ -449,51 +416,24 @@ void OperatePage::onBraceletFailed(const core::Error& error) {
                       QString::fromStdString(core::describe(error)), QString()});
 }
 
-void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos) {
+void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos,
+                           const std::vector<chrome::SourceChooser::Demo>& cards) {
     m_chooser->setDemos(demos);
-    m_demos->setDemos(demos);
-    m_demoPaths.clear();
-    for (const chrome::SourceChooser::Demo& demo : demos)
-        m_demoPaths << demo.path;
-    m_askedFor.reset();
-    m_askForPictures.start();
+    m_start->setCards(cards);
 }
 
-void OperatePage::requestPictures() {
-    if (!m_empty->isVisible())
-        return; // asked for again when it is shown
-    const QSizeF size = QSizeF(chrome::DemoCard::kPicture_em) * base::em(this, 1) * devicePixelRatioF();
-    const std::pair wanted(size.toSize(), palette());
-    if (m_askedFor != wanted) {
-        m_askedFor = wanted;
-        m_pictures->request(m_demoPaths, wanted.first, wanted.second);
-    }
-    m_pictures->resume();
-}
-
-void OperatePage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    m_askForPictures.start();
-}
-
-void OperatePage::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
-    m_askForPictures.stop();
-    m_pictures->pause();
+/// A scene is opened here, the others are of other pages.
+void OperatePage::openCard(const QString& place) {
+    if (place.endsWith(QLatin1String(".toml")))
+        emit m_chooser->demoRequested(place);
+    else
+        emit cardRequested(place);
 }
 
 void OperatePage::retranslate() {
     m_arm->retranslate();
     m_docks->retranslate();
-    m_empty->setTexts(tr("No source"),
-                      tr("Open a demo scene to look around, a recording, or a list of sources."));
-    m_empty->setAction("firstSteps", tr("First &steps"), tr("The page of the handbook to begin with (F1)"));
-    m_empty->setAction("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
-    m_empty->setAction("openRecording", tr("Open &recording\u2026"),
-                       tr("A recording of this program or as MCAP, or recorded frames of an array: CSV, "
-                          "NumPy, HDF5, MATLAB, Tekscan"));
-    m_empty->setAction("openList", tr("Open source &list\u2026"),
-                       tr("A TOML file that lists scenes and recordings"));
+    m_start->retranslate();
 }
 
 } // namespace teleta::console

@@ -14,10 +14,6 @@
 #include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/source_chooser.h"
 
-#include <QPalette>
-#include <QSize>
-#include <QStringList>
-#include <QTimer>
 #include <QWidget>
 
 #include <cstdint>
@@ -37,9 +33,6 @@ namespace teleta::charts {
 class StripChartView;
 }
 namespace teleta::chrome {
-class DemoList;
-class EmptyState;
-class RecentList;
 class PlaybackBar;
 } // namespace teleta::chrome
 namespace teleta::view3d {
@@ -48,7 +41,7 @@ class Scene3dView;
 
 namespace teleta::console {
 
-class StartPictures;
+class StartPage;
 
 /// The Operate page: the views of the active source as docks, the source chooser, the playback bar, and
 /// notices above them. Every 30 Hz tick it drains what the pipeline made and repaints what changed. Thread:
@@ -66,10 +59,12 @@ public:
     [[nodiscard]] std::vector<chrome::DeviceReading> readings() const;
 
     [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
-    /// Demo scenes for the menu, and for the page while nothing is open.
-    void setDemos(const std::vector<chrome::SourceChooser::Demo>& demos);
+    /// Demo scenes for the menu, and the cards of the start page: see startCards().
+    void setDemos(const std::vector<chrome::SourceChooser::Demo>& demos,
+                  const std::vector<chrome::SourceChooser::Demo>& cards);
     /// Shown while nothing is open.
-    [[nodiscard]] chrome::RecentList& recent() { return *m_recent; }
+    [[nodiscard]] StartPage& startPage() { return *m_start; }
+    [[nodiscard]] view3d::Scene3dView& reconstruction() { return *m_scene; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
 
     [[nodiscard]] OperateDocks& docks() { return *m_docks; }
@@ -88,16 +83,14 @@ signals:
     /// A source shall be closed, see SourceManager::close().
     void closeRequested(std::uint64_t key);
     void demoRequested();
+    /// A card of the start page that is no scene: "study:KIND", "pattern:ID".
+    void cardRequested(const QString& place);
     void firstStepsRequested();
     void openRecordingRequested();
     void openListRequested();
 
-protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
-
 private:
-    void requestPictures();
+    void openCard(const QString& place);
     void onActiveChanged();
     /// Keeps the charts of the previous source until it is shown again.
     void changeCharts(pipeline::ChannelKey shown);
@@ -125,13 +118,7 @@ private:
     chrome::SourceChooser* m_chooser;
     chrome::PlaybackBar* m_playback;
     QStackedWidget* m_stack;
-    chrome::EmptyState* m_empty;
-    chrome::RecentList* m_recent;
-    chrome::DemoList* m_demos;
-    StartPictures* m_pictures;
-    QTimer m_askForPictures;
-    QStringList m_demoPaths;
-    std::optional<std::pair<QSize, QPalette>> m_askedFor; ///< of the pictures, of these paths
+    StartPage* m_start;
     OperateDocks* m_docks;
     tactile::HeatmapView* m_heatmap;
     charts::StripChartView* m_charts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/servo_views.h"
 
+#include "app/console/operate/joint_dials.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/servo/servo_runs_view.h"
 #include "widgets/view3d/scene3d_view.h"
@@ -69,6 +70,7 @@ void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, const QString
     m_edgeChanged = false;
     m_scene.setContour(m_edge.points_m, m_edge.points_m, {}, {});
     m_scene.setArmLinks({});
+    m_scene.forgetArm();
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
     m_scene.setSurface(view3d::Surface::plate);
     // Nothing new may come: what it said last is said again.
@@ -136,6 +138,8 @@ std::array<view3d::ArmLink, 4> ServoViews::linksOf(const servo::ServoReport& rep
 void ServoViews::showArm(const servo::ServoReport& report) {
     m_scene.setArmLinks(linksOf(report));
     m_scene.setSensorPose(report.X_Base_Sensor);
+    m_scene.setTip(report.X_Base_Sensor.translation(), report.time_s);
+    m_scene.setJoints(servoDials(report.angle_rad, kLinkRadius_m));
 }
 
 } // namespace teleta::console

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/demo_scenes.h"
 
+#include "backend/pattern/model/built_in_patterns.h"
+#include "widgets/pattern/document/pattern_names.h"
+
 #include <QCoreApplication>
 
 namespace teleta::console {
@@ -61,6 +64,28 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
         {QStringLiteral(":/scenes/vtacarm-multicontact.toml"), DemoText::tr("Three fingers on a soft arm"),
          DemoText::tr("Contacts near the lens, in the middle and at the far end of the tube"), camera},
     };
+}
+
+std::vector<chrome::SourceChooser::Demo> startCards() {
+    std::vector<chrome::SourceChooser::Demo> cards = demoScenes();
+    const QString study = DemoText::tr("Study");
+    cards.push_back({QStringLiteral("study:rehearsal"), DemoText::tr("A rehearsed study"),
+                     DemoText::tr("Simulated participants answer, and the confusion matrix fills"), study});
+    cards.push_back({QStringLiteral("study:protocol"), DemoText::tr("The published protocol"),
+                     DemoText::tr("Stimuli, practice and test trials: read it, and begin a study with it"),
+                     study});
+    const QString patterns = DemoText::tr("Patterns");
+    for (const char* id : {"shape.A.dynamic", "shape.C.static", "stiffness.D.dynamic"}) {
+        const pattern::Pattern* known = pattern::findBuiltIn(id);
+        if (known != nullptr)
+            cards.push_back(
+                {QStringLiteral("pattern:") + QLatin1String(id), pattern::displayName(*known),
+                 known->task == pattern::Task::shape
+                     ? DemoText::tr("A shape as a vibration pattern: play it, or edit a copy")
+                     : DemoText::tr("A stiffness as a vibration pattern: play it, or edit a copy"),
+                 patterns});
+    }
+    return cards;
 }
 
 } // namespace teleta::console

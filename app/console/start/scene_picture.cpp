@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 namespace teleta::console {
 
@@ -41,33 +40,6 @@ QImage blank(const QSize& size, const QPalette& palette) {
     return image;
 }
 
-QImage pictureOf(std::span<const float> load_N, const core::ArrayLayout& layout, const QSize& size,
-                 const QPalette& palette) {
-    QImage image = blank(size, palette);
-    QPainter painter(&image);
-    float highest_N = 0.0F;
-    for (const float load : load_N)
-        if (std::isfinite(load))
-            highest_N = std::max(highest_N, load);
-    const double cell = std::min(size.width() / static_cast<double>(layout.columns),
-                                 size.height() / static_cast<double>(layout.rows));
-    const QPointF corner(0.5 * (size.width() - cell * layout.columns),
-                         0.5 * (size.height() - cell * layout.rows));
-    painter.fillRect(image.rect(), QColor(base::colourAt(base::cividis(), 0.0)));
-    for (int row = 0; row < layout.rows; ++row) {
-        for (int column = 0; column < layout.columns; ++column) {
-            const float load = load_N[static_cast<std::size_t>(row * layout.columns + column)];
-            const double share =
-                highest_N > 0.0F && std::isfinite(load) ? static_cast<double>(load / highest_N) : 0.0;
-            // Rows count upwards.
-            const QRectF place(corner.x() + cell * column, corner.y() + cell * (layout.rows - 1 - row), cell,
-                               cell);
-            painter.fillRect(place, QColor(base::colourAt(base::cividis(), share)));
-        }
-    }
-    return image;
-}
-
 core::Expected<QImage> arrayPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
                                     const std::stop_token& stop) {
     TELETA_TRY(const auto array, simulation::SimulatedArray::make(scene, kSeed));
@@ -78,7 +50,7 @@ core::Expected<QImage> arrayPicture(const scene::Scene& scene, const QSize& size
             return stopped();
         array->next(load_N, false);
     }
-    return pictureOf(load_N, layout, size, palette);
+    return loadPicture(load_N, layout, size, palette);
 }
 
 core::Expected<QImage> servoPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
@@ -89,7 +61,7 @@ core::Expected<QImage> servoPicture(const scene::Scene& scene, const QSize& size
             return stopped();
         loop->next();
     }
-    return pictureOf(loop->frame(), loop->world().layout(), size, palette);
+    return loadPicture(loop->frame(), loop->world().layout(), size, palette);
 }
 
 core::Expected<QImage> cameraPicture(const scene::Scene& scene, const QSize& size,
@@ -193,6 +165,33 @@ core::Expected<QImage> armPicture(const scene::Scene& scene, const QSize& size, 
 }
 
 } // namespace
+
+QImage loadPicture(std::span<const float> load_N, const core::ArrayLayout& layout, const QSize& size,
+                   const QPalette& palette) {
+    QImage image = blank(size, palette);
+    QPainter painter(&image);
+    float highest_N = 0.0F;
+    for (const float load : load_N)
+        if (std::isfinite(load))
+            highest_N = std::max(highest_N, load);
+    const double cell = std::min(size.width() / static_cast<double>(layout.columns),
+                                 size.height() / static_cast<double>(layout.rows));
+    const QPointF corner(0.5 * (size.width() - cell * layout.columns),
+                         0.5 * (size.height() - cell * layout.rows));
+    painter.fillRect(image.rect(), QColor(base::colourAt(base::cividis(), 0.0)));
+    for (int row = 0; row < layout.rows; ++row) {
+        for (int column = 0; column < layout.columns; ++column) {
+            const float load = load_N[static_cast<std::size_t>(row * layout.columns + column)];
+            const double share =
+                highest_N > 0.0F && std::isfinite(load) ? static_cast<double>(load / highest_N) : 0.0;
+            // Rows count upwards.
+            const QRectF place(corner.x() + cell * column, corner.y() + cell * (layout.rows - 1 - row), cell,
+                               cell);
+            painter.fillRect(place, QColor(base::colourAt(base::cividis(), share)));
+        }
+    }
+    return image;
+}
 
 core::Expected<QImage> scenePicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
                                     const std::stop_token& stop) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/start/start_pictures.h"
 
-#include "app/common/scene_file.h"
-#include "app/console/start/scene_picture.h"
+#include "app/console/start/file_picture.h"
 #include "widgets/base/background.h"
 #include "widgets/base/theme.h"
 
@@ -18,12 +17,12 @@ namespace teleta::console {
 namespace {
 
 /// Counts changes of how pictures are made, between two versions of the program.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
-/// Name of a scene's picture: of its text and of how it is drawn.
-QString nameOf(const std::string& text, const QSize& size, bool dark) {
+/// Name of a picture: of what it is made of and of how it is drawn.
+QString nameOf(const QByteArray& key, const QSize& size, bool dark) {
     QCryptographicHash hash(QCryptographicHash::Sha1);
-    hash.addData(QByteArray::fromStdString(text));
+    hash.addData(key);
     // The program may simulate or draw differently in another version.
     hash.addData(QCoreApplication::applicationVersion().toUtf8() + 'v' + QByteArray::number(kVersion) + 'x' +
                  QByteArray::number(size.width()) + 'x' + QByteArray::number(size.height()) +
@@ -32,7 +31,7 @@ QString nameOf(const std::string& text, const QSize& size, bool dark) {
 }
 
 struct Made {
-    QImage picture; ///< null when the scene cannot be read or run
+    QImage picture; ///< null when none can be made
     bool stopped = false;
 };
 
@@ -40,17 +39,12 @@ Made keptOrMade(const QString& path, const QString& folder, const QSize& size, c
                 const std::stop_token& stop) {
     if (stop.stop_requested())
         return {.picture = {}, .stopped = true};
-    const std::string file = path.toStdString();
     const QString kept =
-        folder.isEmpty()
-            ? QString()
-            : QDir(folder).filePath(nameOf(app::readSceneText(file), size, base::isDark(palette)));
+        folder.isEmpty() ? QString()
+                         : QDir(folder).filePath(nameOf(startPictureKey(path), size, base::isDark(palette)));
     if (QImage picture(kept); !kept.isEmpty() && !picture.isNull())
         return {picture};
-    const auto scene = app::readScene(file);
-    if (!scene)
-        return {};
-    const auto picture = scenePicture(*scene, size, palette, stop);
+    const auto picture = startPicture(path, size, palette, stop);
     if (!picture)
         return {.picture = {}, .stopped = picture.error().kind == core::ErrorKind::cancelled};
     if (!kept.isEmpty() && QDir().mkpath(folder)) {

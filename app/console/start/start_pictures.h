@@ -13,10 +13,10 @@
 
 namespace teleta::console {
 
-/// Pictures of scenes for the start page: made by running the scenes, one after the other on a thread of
-/// their own, and kept in a folder, so that a scene is run once for each of its versions and for each theme.
-/// A picture that cannot be made or kept is left out: the page then shows an icon. Thread: GUI; nothing waits
-/// for a whole scene.
+/// Pictures for the start page (startPicture()): made one after the other on a thread of their own, for a
+/// scene by running it, and kept in a folder, so that a scene is run once for each of its versions and for
+/// each theme. A picture that cannot be made or kept is left out: the page then shows an icon. Thread: GUI;
+/// nothing waits for a whole scene.
 class StartPictures : public QObject {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
     /// Stops the scene that is run.
     ~StartPictures() override;
 
-    /// Asks for the pictures of scenes (files or resources), in this order; forgets what was asked before.
+    /// Asks for pictures, in this order; forgets what was asked before.
     void request(const QStringList& paths, const QSize& size, const QPalette& palette);
     /// Makes no pictures until resume(), since something else needs the processor: stops the scene that is
     /// run, which is then run again.

@@ -87,6 +87,7 @@ private:
         report.output = output;
         report.recentLimits = recentLimits();
         report.X_Base_Sensor = X_Base_Sensor;
+        report.angle_rad = m_loop->world().arm().state().q_rad;
         report.p_Base_Joint = m_loop->world().arm().posture().p_Base_Joint;
         report.normalCompliance_mPerN = m_plan.tasks[output.phase].normalCompliance_mPerN;
         report.tuning = m_tuning;

@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/operate_page.h"
+#include "app/console/patterns/patterns_page.h"
+#include "app/console/start/start_page.h"
+#include "app/console/study/forms/protocol_dialog.h"
+#include "app/console/study/study_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/demo_card.h"
+#include "widgets/chrome/first_steps.h"
 #include "widgets/chrome/recent_list.h"
+#include "widgets/chrome/stop_banner.h"
+#include "widgets/pattern/document/pattern_document.h"
+#include "widgets/pattern/pattern_editor.h"
+#include "widgets/pattern/timeline/timeline_view.h"
+#include "widgets/view3d/scene3d_view.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QAction>
@@ -12,12 +23,15 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace teleta;
 using console::ConsoleOptions;
@@ -56,7 +70,7 @@ class MainWindowDesktopTest : public QObject, protected test::WindowBench {
     }
     QMenu* menu(const char* name) const { return m_window->findChild<QMenu*>(QLatin1String(name)); }
     QList<QToolButton*> startButtons(const char* name) const {
-        return m_window->operatePage().recent().findChildren<QToolButton*>(QLatin1String(name));
+        return m_window->operatePage().startPage().recent().findChildren<QToolButton*>(QLatin1String(name));
     }
 
 private slots:
@@ -71,7 +85,7 @@ private slots:
     void aFileThatWasOpenedIsInTheMenuAndOnTheStartPage() {
         openAgain();
         QVERIFY(!menu("recent")->isEnabled());
-        QVERIFY(!m_window->operatePage().recent().isVisible());
+        QVERIFY(!m_window->operatePage().startPage().recent().isVisible());
         const QString scene = sceneFile("a & b.toml");
         ConsoleOptions options;
         options.files = {scene};
@@ -159,6 +173,135 @@ private slots:
         QCOMPARE(ConsoleSettings(false).theme(), QString("dark"));
         QTRY_VERIFY(m_window->palette().color(QPalette::Window).lightness() < 128);
         base::applyTheme(base::ThemeChoice::light);
+    }
+
+    void firstStepsTickThemselvesOffAndAreRemembered() {
+        openAgain();
+        auto& steps = m_window->operatePage().startPage().firstSteps();
+        QVERIFY(steps.isVisible());
+        const auto step = [this](const char* name) {
+            return m_window->operatePage()
+                .startPage()
+                .firstSteps()
+                .findChild<chrome::DemoCard*>(QLatin1String(name))
+                ->step();
+        };
+        for (const QString& name : chrome::FirstSteps::names())
+            QCOMPARE(step(qPrintable(name)), chrome::DemoCard::Step::open);
+        // The card leads to the place; playing does the step.
+        QTest::mouseClick(steps.findChild<chrome::DemoCard*>("pattern"), Qt::LeftButton);
+        QTRY_VERIFY(m_window->patternsPage().isVisible());
+        QTRY_COMPARE(m_window->patternsPage().editor().document()->pattern().id, "shape.A.dynamic");
+        QCOMPARE(step("pattern"), chrome::DemoCard::Step::open);
+        QTest::keyClick(m_window->patternsPage().editor().timeline(), Qt::Key_Space);
+        QTRY_COMPARE(step("pattern"), chrome::DemoCard::Step::done);
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        auto* touch = steps.findChild<chrome::DemoCard*>("touch");
+        QTRY_VERIFY(touch->isVisible());
+        QTest::mouseClick(touch, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(step("touch"), chrome::DemoCard::Step::done, kPatience_ms);
+        m_window->close();
+
+        openAgain();
+        QVERIFY(m_window->operatePage().startPage().firstSteps().isVisible());
+        QCOMPARE(step("touch"), chrome::DemoCard::Step::done);
+        QCOMPARE(step("study"), chrome::DemoCard::Step::open);
+        QTest::mouseClick(m_window->findChild<QToolButton*>("hideFirstSteps"), Qt::LeftButton);
+        QVERIFY(!m_window->operatePage().startPage().firstSteps().isVisible());
+        m_window->close();
+        openAgain();
+        QVERIFY(!m_window->operatePage().startPage().firstSteps().isVisible());
+    }
+
+    void firstStepsThatAreAllDoneAreNotShownAtTheNextStart() {
+        ConsoleSettings(false).setFirstStepsDone(chrome::FirstSteps::names());
+        openAgain();
+        QVERIFY(!m_window->operatePage().startPage().firstSteps().isVisible());
+    }
+
+    void cardsOfStudiesAndPatternsOpenThem() {
+        openAgain();
+        const auto card = [this](const QString& title) -> chrome::DemoCard* {
+            for (auto* each : m_window->findChildren<chrome::DemoCard*>())
+                if (each->text() == title)
+                    return each;
+            return nullptr;
+        };
+        QVERIFY(card("Triangle, static") != nullptr);
+        QTest::mouseClick(card("Triangle, static"), Qt::LeftButton);
+        QTRY_VERIFY(m_window->patternsPage().isVisible());
+        QTRY_COMPARE(m_window->patternsPage().editor().document()->pattern().id, "shape.C.static");
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(card("The published protocol") != nullptr);
+        QTest::mouseClick(card("The published protocol"), Qt::LeftButton);
+        QTRY_VERIFY(m_window->studyPage().isVisible());
+        QTRY_VERIFY(m_window->studyPage().findChild<console::ProtocolDialog*>() != nullptr);
+    }
+
+    void recentFilesHaveAPictureOfWhatIsInThem() {
+        const QString scene = sceneFile("pictured.toml");
+        ConsoleSettings(false).addRecentFile(scene);
+        openAgain();
+        QCOMPARE(startButtons("recentFile").size(), 1);
+        const QSize icon = startButtons("recentFile").first()->iconSize();
+        QTRY_VERIFY_WITH_TIMEOUT(startButtons("recentFile").first()->iconSize().width() > icon.width(),
+                                 kPatience_ms);
+    }
+
+    void aLayerOfTheReconstructionThatWasSwitchedOffStaysOff() {
+        openAgain();
+        auto& view = m_window->operatePage().reconstruction();
+        QVERIFY(view.hiddenLayers().isEmpty());
+        QMenu menu;
+        view.fillMenu(menu);
+        for (const char* name : {"trail", "jointLimits", "forces", "moments"}) {
+            auto* layer = view.findChild<QAction*>(QLatin1String(name));
+            QVERIFY(menu.actions().contains(layer));
+            QVERIFY2(layer->isChecked() && !layer->text().isEmpty(), name);
+        }
+        menu.popup(view.mapToGlobal(QPoint()));
+        QTest::mouseClick(&menu, Qt::LeftButton, {},
+                          menu.actionGeometry(view.findChild<QAction*>("trail")).center());
+        QCOMPARE(view.hiddenLayers(), QStringList{"trail"});
+        m_window->close();
+        openAgain();
+        QCOMPARE(m_window->operatePage().reconstruction().hiddenLayers(), QStringList{"trail"});
+        QVERIFY(!m_window->findChild<QAction*>("trail")->isChecked());
+    }
+
+    /// They may have been meant for the menu, and stop nevertheless: the banner says so.
+    void twoEscapesOutOfAMenuStopAndAreNamed() {
+        openAgain();
+        QAction* view = nullptr;
+        for (QAction* action : m_window->menuBar()->actions())
+            if (action->menu() != nullptr && !action->menu()->actions().isEmpty())
+                view = action;
+        QVERIFY(view != nullptr);
+        view->menu()->popup(m_window->mapToGlobal(QPoint(40, 40)));
+        QVERIFY(QTest::qWaitForWindowExposed(view->menu()));
+        QTest::keyClick(view->menu(), Qt::Key_Escape);
+        QTRY_VERIFY(!view->menu()->isVisible());
+        QVERIFY2(!m_stop->engaged(), "one closes the menu");
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        QVERIFY(m_stop->engaged());
+        const auto labels = m_window->findChild<chrome::StopBanner*>()->findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("Esc was pressed twice.");
+        }));
+    }
+
+    void twoArmsHaveTwoNamesForTheirJoints() {
+        ConsoleOptions options;
+        options.scenes = {":/scenes/teleta-touch.toml", ":/scenes/teleta-contour-circle.toml"};
+        openAgain(options);
+        const auto names = [this] {
+            QStringList all;
+            for (const chrome::DeviceReading& reading : m_window->operatePage().readings())
+                all << reading.name;
+            return all;
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(names().filter("joints").size(), 2, kPatience_ms);
+        QVERIFY2(names().removeDuplicates() == 0, qPrintable(names().join(", ")));
     }
 
     void aViewIsMaximisedByKey() {

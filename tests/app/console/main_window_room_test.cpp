@@ -3,7 +3,9 @@
 #include "app/console/operate/operate_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/demo_card.h"
 #include "widgets/chrome/demo_list.h"
+#include "widgets/chrome/first_steps.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/view3d/vtk/gl_setup.h"
@@ -101,6 +103,28 @@ private slots:
                        !demos->verticalScrollBar()->isVisible();
             };
             QTRY_VERIFY2(isWhole(), qPrintable(name));
+        }
+        languages().front()->trigger();
+    }
+
+    void theStartPageIsWholeOnASmallScreenInEveryLanguage() {
+        ConsoleOptions options;
+        options.size = kSmallScreen;
+        openWindow(options);
+        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
+        for (auto i = languages().size() - 1; i >= 0; --i) {
+            if (languages()[i]->isSeparator())
+                continue;
+            const QString name = languages()[i]->text();
+            languages()[i]->trigger();
+            QCoreApplication::processEvents();
+            const auto* demos = child<chrome::DemoList>();
+            QVERIFY(child<chrome::FirstSteps>()->isVisible());
+            QTRY_VERIFY2(!demos->verticalScrollBar()->isVisible(), qPrintable(name));
+            for (const auto* card : m_window->findChildren<chrome::DemoCard*>())
+                QVERIFY2(
+                    m_window->rect().contains(QRect(card->mapTo(m_window.get(), QPoint()), card->size())),
+                    qPrintable(name + ": " + card->text()));
         }
         languages().front()->trigger();
     }

@@ -3,6 +3,7 @@
 #include "widgets/chrome/demo_list.h"
 
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -52,6 +53,27 @@ private slots:
         for (const QLabel* label : list.findChildren<QLabel*>())
             headings << label->text();
         QCOMPARE(headings, QStringList({"One", "Two", "Three"}));
+    }
+
+    void cardsAreSmallWhereLargeOnesDoNotFitAndLargeAgainLater() {
+        DemoList list;
+        list.setDemos(demos());
+        list.resize(900, 1000);
+        list.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&list));
+        const DemoCard* card = list.findChildren<DemoCard*>().front();
+        const int large = card->height();
+        QCOMPARE(large, DemoCard::heightOf(list, DemoCard::Size::large));
+        const int needed = list.sizeHint().height();
+        list.resize(900, needed - 10);
+        QTRY_COMPARE(card->height(), DemoCard::heightOf(list, DemoCard::Size::small));
+        QVERIFY(card->height() < large);
+        QTRY_VERIFY2(!list.verticalScrollBar()->isVisible(), "they fit");
+        QVERIFY2(card->toolTip().contains("First") && card->toolTip().contains("about it"),
+                 "what is cut is in the tool tip");
+        QCOMPARE(list.sizeHint().height(), needed); // it would like to have large ones
+        list.resize(900, needed + 10);
+        QTRY_COMPARE(card->height(), large);
     }
 
     void aDemoIsOpenedByMouseAndKeys() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pattern/model/built_in_patterns.h"
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
 #include "widgets/pattern/law_list.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/pattern_inspector.h"
@@ -34,6 +35,14 @@ namespace {
 
 QTreeWidget* treeOf(const PatternLibrary& library) {
     return library.findChild<QTreeWidget*>();
+}
+
+/// A pattern of the first group.
+const QTreeWidgetItem& rowOf(const QTreeWidget& tree, int pattern) {
+    const QTreeWidgetItem* row = tree.topLevelItem(0)->child(pattern);
+    if (row == nullptr)
+        qFatal("no such row");
+    return *row;
 }
 
 LawList& lawsOf(const PatternEditor& editor) {
@@ -235,15 +244,51 @@ private slots:
         QCOMPARE(editor.document()->undoStack()->count(), 2);
     }
 
+    void aClickOnARowOpensItsPattern() {
+        PatternLibrary library;
+        library.resize(400, 600);
+        library.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&library));
+        QTreeWidget* tree = treeOf(library);
+        QSignalSpy opened(&library, &PatternLibrary::openRequested);
+        const QTreeWidgetItem& row = rowOf(*tree, 4);
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(&row).center());
+        QCOMPARE(opened.count(), 1);
+        QCOMPARE(opened[0][0].toString(), row.toolTip(0));
+    }
+
+    void picturesGiveWayToNames() {
+        PatternLibrary library;
+        QTreeWidget* tree = treeOf(library);
+        library.resize(500, 600);
+        library.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&library));
+        const int large = tree->iconSize().width();
+        const QFontMetrics metrics(tree->font());
+        const auto isNameWhole = [&](int pattern) {
+            const QTreeWidgetItem& row = rowOf(*tree, pattern);
+            // Picture, text, and what the style leaves beside both.
+            const int margin = tree->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1;
+            return tree->visualItemRect(&row).width() >=
+                   tree->iconSize().width() + metrics.horizontalAdvance(row.text(0)) + 4 * margin;
+        };
+        library.resize(base::em(&library, 12.4), 600); // as wide as in a window of 1024 px
+        QTRY_VERIFY(tree->iconSize().width() < large);
+        for (int pattern = 0; pattern < 12; ++pattern)
+            QVERIFY2(isNameWhole(pattern), qPrintable(rowOf(*tree, pattern).text(0)));
+        QVERIFY2(tree->isColumnHidden(1), "lengths give way, too");
+        library.resize(500, 600);
+        QTRY_COMPARE(tree->iconSize().width(), large);
+        QVERIFY(!tree->isColumnHidden(1));
+    }
+
     void aPictureIsDrawnOnce() {
         PatternLibrary library;
         QTreeWidget* tree = treeOf(library);
-        const auto picture = [&](int pattern) {
-            return tree->topLevelItem(0)->child(pattern)->icon(0).cacheKey();
-        };
+        const auto picture = [&](int pattern) { return rowOf(*tree, pattern).icon(0).cacheKey(); };
         const qint64 first = picture(0);
         const qint64 second = picture(1);
-        const QString key = tree->topLevelItem(0)->child(0)->toolTip(0);
+        const QString key = rowOf(*tree, 0).toolTip(0);
         library.setCurrent(key);
         QVERIFY2(picture(0) != first, "with a bar");
         QCOMPARE(picture(1), second);

@@ -18,6 +18,7 @@
 #include <vtkRendererCollection.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numbers>
 #include <numeric>
@@ -82,9 +83,13 @@ QImage greyOf(const QImage& image) {
 }
 
 /// What VTK draws, without labels: fonts differ from machine to machine.
-QImage pictureOf(Scene3dView& view) {
-    return greyOf(
-        view.findChild<view3d::VtkWidget*>()->picture(1.0, view3d::VtkWidget::PictureOverlay::without));
+/// part: of the picture, as shares; drawn as large as the whole otherwise is.
+QImage pictureOf(Scene3dView& view, const QRectF& part = {0.0, 0.0, 1.0, 1.0}) {
+    const QImage whole = view.findChild<view3d::VtkWidget*>()->picture(
+        1.0 / part.width(), view3d::VtkWidget::PictureOverlay::without);
+    const QRectF pixels(part.x() * whole.width(), part.y() * whole.height(), part.width() * whole.width(),
+                        part.height() * whole.height());
+    return greyOf(whole.copy(pixels.toRect()));
 }
 
 void showTouches(Scene3dView& view) {
@@ -109,6 +114,48 @@ void showArm(Scene3dView& view) {
     showTouches(view);
 }
 
+/// The tip goes round in 3 s.
+void showTrail(Scene3dView& view) {
+    showArm(view);
+    constexpr int kSteps = 90;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double turn = 1.8 * std::numbers::pi * i / kSteps;
+        view.setTip({-0.15 + 0.09 * std::sin(turn), -0.09 * std::cos(turn), 0.2}, 3.0 * i / kSteps);
+    }
+}
+
+/// Elbow 6 degrees before its limit, base in the middle of its range.
+void showLimit(Scene3dView& view) {
+    showArm(view);
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    view3d::JointDial elbow;
+    elbow.name = QStringLiteral("elbow");
+    elbow.X_World_Joint =
+        view3d::frameAround({-0.18, 0.0, 0.17}, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX());
+    elbow.angle_rad = 114.0 * kDegree;
+    elbow.lowest_rad = -10.0 * kDegree;
+    elbow.highest_rad = 120.0 * kDegree;
+    elbow.radius_m = 0.02;
+    view3d::JointDial base = elbow;
+    base.X_World_Joint.translation() = Eigen::Vector3d(-0.4, 0.0, 0.05);
+    base.angle_rad = 40.0 * kDegree;
+    const std::array dials{base, elbow};
+    view.setJoints(dials);
+}
+
+/// A moment of 3 mNm about y, and a force that is not at right angles to the array.
+void showWrench(Scene3dView& view) {
+    const core::ArrayLayout layout;
+    pipeline::TouchSnapshot snapshot = test::pressed(layout, {{1, 0.0, 0.001, 1.2}}, 1);
+    snapshot.features.force_N = 1.5;
+    snapshot.features.cocX_m = 0.0;
+    snapshot.features.cocY_m = 0.0;
+    snapshot.features.dzmpX_m = 0.0;
+    snapshot.features.dzmpY_m = 0.002;
+    view.setForce(view3d::DrawnForce{{0.0, 0.001, 0.01}, {4.0, 1.5, -3.0}});
+    view.setSnapshot(snapshot);
+}
+
 void showContour(Scene3dView& view) {
     const auto circle = [](int count, bool closed) {
         std::vector<Eigen::Vector3d> points;
@@ -124,6 +171,7 @@ void showContour(Scene3dView& view) {
 struct Example {
     const char* name;
     std::function<void(Scene3dView&)> show;
+    QRectF part{0.0, 0.0, 1.0, 1.0}; ///< of the picture, where what is shown is small
 };
 
 const std::vector<Example> kExamples{
@@ -147,6 +195,9 @@ const std::vector<Example> kExamples{
          const pipeline::CameraSnapshot camera = test::sampleCamera();
          view.setTube(&camera);
      }},
+    {"trail", showTrail},
+    {"limit", showLimit, {0.4, 0.25, 0.4, 0.4}},
+    {"wrench", showWrench, {0.35, 0.2, 0.35, 0.35}},
 };
 
 } // namespace
@@ -163,7 +214,7 @@ private:
         if (!QTest::qWaitForWindowExposed(&view))
             return {};
         example.show(view);
-        return pictureOf(view);
+        return pictureOf(view, example.part);
     }
     static QString fileOf(const Example& example) {
         return QStringLiteral(TELETA_SOURCE_DIR "/tests/widgets/view3d/pictures/") +
@@ -246,6 +297,31 @@ private slots:
         const double ofArray = reach();
         showArm(view); // about ten times as large
         QVERIFY2(reach() > 2.0 * ofArray, qPrintable(QString::number(reach() / ofArray)));
+    }
+
+    /// The kept picture is of the mark: without it, the picture is another one.
+    void aMarkThatIsMissingIsSeen_data() {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<QString>("layer");
+        QTest::newRow("trail") << 6 << QStringLiteral("trail");
+        QTest::newRow("limit") << 7 << QStringLiteral("jointLimits");
+        QTest::newRow("force") << 8 << QStringLiteral("forces");
+        QTest::newRow("moment") << 8 << QStringLiteral("moments");
+    }
+    void aMarkThatIsMissingIsSeen() {
+        QFETCH(int, index);
+        QFETCH(QString, layer);
+        const Example& example = kExamples[static_cast<std::size_t>(index)];
+        const Example without{example.name,
+                              [&](Scene3dView& view) {
+                                  view.setHiddenLayers({layer});
+                                  example.show(view);
+                              },
+                              example.part};
+        const QImage kept = QImage(fileOf(example)).convertToFormat(QImage::Format_Grayscale8);
+        QCOMPARE(kept.size(), kKept);
+        const bool dark = index % 2 == 1;
+        QVERIFY(!areAlike(likeness(drawn(without, dark), kept)));
     }
 
     /// The measure sees what it is for.

@@ -70,8 +70,8 @@ struct MeshActor {
 
 /// A mesh builder with its actor.
 struct Mesh : MeshBuilder, MeshActor {
-    explicit Mesh(Shading shading)
-        : MeshBuilder(shading != Shading::none)
+    explicit Mesh(Shading shading, Alpha alpha = Alpha::ignored)
+        : MeshBuilder(shading != Shading::none, alpha)
         , MeshActor(data(), shading) {}
 };
 

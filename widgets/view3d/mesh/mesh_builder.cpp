@@ -31,11 +31,12 @@ const std::array<Eigen::Vector2d, kSides + 1>& unitCircle() {
 
 } // namespace
 
-MeshBuilder::MeshBuilder(bool withNormals)
-    : m_withNormals(withNormals) {
+MeshBuilder::MeshBuilder(bool withNormals, Alpha alpha)
+    : m_withNormals(withNormals)
+    , m_withAlpha(alpha == Alpha::used) {
     m_points->SetDataTypeToFloat();
     m_colours->SetName("colour");
-    m_colours->SetNumberOfComponents(3);
+    m_colours->SetNumberOfComponents(m_withAlpha ? 4 : 3);
     m_normals->SetName("normal");
     m_normals->SetNumberOfComponents(3);
     m_data->SetPoints(m_points);
@@ -67,10 +68,11 @@ vtkIdType MeshBuilder::point(const Eigen::Vector3d& p, const Eigen::Vector3d& no
     const vtkIdType id = m_points->InsertNextPoint(p.data());
     if (m_withNormals)
         m_normals->InsertNextTuple3(normal.x(), normal.y(), normal.z());
-    const std::array<unsigned char, 3> rgb = {static_cast<unsigned char>(qRed(colour)),
-                                              static_cast<unsigned char>(qGreen(colour)),
-                                              static_cast<unsigned char>(qBlue(colour))};
-    m_colours->InsertNextTypedTuple(rgb.data());
+    // Without alpha only the first three are taken.
+    const std::array<unsigned char, 4> rgba = {
+        static_cast<unsigned char>(qRed(colour)), static_cast<unsigned char>(qGreen(colour)),
+        static_cast<unsigned char>(qBlue(colour)), static_cast<unsigned char>(qAlpha(colour))};
+    m_colours->InsertNextTypedTuple(rgba.data());
     return id;
 }
 
@@ -174,9 +176,14 @@ void MeshBuilder::quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const
 }
 
 void MeshBuilder::segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, QRgb colour) {
+    segment(a, colour, b, colour);
+}
+
+void MeshBuilder::segment(const Eigen::Vector3d& a, QRgb colourOfA, const Eigen::Vector3d& b,
+                          QRgb colourOfB) {
     const Eigen::Vector3d none = Eigen::Vector3d::UnitZ();
-    const vtkIdType first = point(a, none, colour);
-    point(b, none, colour);
+    const vtkIdType first = point(a, none, colourOfA);
+    point(b, none, colourOfB);
     m_lines->InsertNextCell({first, first + 1});
 }
 

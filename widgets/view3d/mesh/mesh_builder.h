@@ -19,7 +19,12 @@ namespace teleta::view3d {
 /// clear(), add shapes, then finish(). Colours are per point; so are normals when `withNormals`. Thread: one.
 class MeshBuilder {
 public:
-    explicit MeshBuilder(bool withNormals = true);
+    /// Whether the colours' alpha counts; a mesh without it is opaque.
+    enum class Alpha {
+        ignored,
+        used,
+    };
+    explicit MeshBuilder(bool withNormals = true, Alpha alpha = Alpha::ignored);
 
     [[nodiscard]] vtkPolyData* data() const { return m_data; }
     [[nodiscard]] bool isEmpty() const { return m_points->GetNumberOfPoints() == 0; }
@@ -40,6 +45,8 @@ public:
     void quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
               const Eigen::Vector3d& d, QRgb colour);
     void segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, QRgb colour);
+    /// Two ends of their own colours, blended along the way.
+    void segment(const Eigen::Vector3d& a, QRgb colourOfA, const Eigen::Vector3d& b, QRgb colourOfB);
     void polyline(std::span<const Eigen::Vector3d> points, QRgb colour, bool closed = false);
 
 private:
@@ -47,6 +54,7 @@ private:
     void disc(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius, QRgb colour);
 
     bool m_withNormals;
+    bool m_withAlpha;
     vtkNew<vtkPolyData> m_data;
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkFloatArray> m_normals;

@@ -31,12 +31,14 @@ ContactPart::ContactPart() {
 
 void ContactPart::addTo(vtkRenderer* renderer) {
     renderer->AddActor(m_solids.actor);
+    renderer->AddActor(m_arrows.actor);
     renderer->AddActor(m_outlines.actor);
     renderer->AddActor(m_ways.actor);
 }
 
 void ContactPart::setPose(vtkMatrix4x4* X_World_Sensor) {
     m_solids.actor->SetUserMatrix(X_World_Sensor);
+    m_arrows.actor->SetUserMatrix(X_World_Sensor);
     m_outlines.actor->SetUserMatrix(X_World_Sensor);
     m_ways.actor->SetUserMatrix(X_World_Sensor);
 }
@@ -44,12 +46,18 @@ void ContactPart::setPose(vtkMatrix4x4* X_World_Sensor) {
 void ContactPart::setVisible(bool visible) {
     m_visible = visible;
     m_solids.actor->SetVisibility(visible);
+    m_arrows.actor->SetVisibility(visible && m_forcesShown);
     m_outlines.actor->SetVisibility(visible);
     m_ways.actor->SetVisibility(visible && m_wayShown);
 }
 
 void ContactPart::setDisplacementShown(bool shown) {
     m_wayShown = shown;
+    setVisible(m_visible);
+}
+
+void ContactPart::setForcesShown(bool shown) {
+    m_forcesShown = shown;
     setVisible(m_visible);
 }
 
@@ -60,7 +68,7 @@ void ContactPart::applyPixelScale(double scale) {
 
 void ContactPart::clear() {
     m_marks.clear();
-    for (Mesh* mesh : {&m_solids, &m_outlines, &m_ways}) {
+    for (Mesh* mesh : {&m_solids, &m_arrows, &m_outlines, &m_ways}) {
         mesh->clear();
         mesh->finish();
     }
@@ -73,6 +81,7 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
     const SurfaceMap& map = sensor.map();
     m_marks.clear();
     m_solids.clear();
+    m_arrows.clear();
     m_outlines.clear();
     m_ways.clear();
     for (const contact::Contact& contact : contacts) {
@@ -92,13 +101,14 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
         m_marks.push_back({contact, colour, foot, tail});
         m_solids.sphere(foot, size.mark_m, colour.rgb());
         if (share > 0.0)
-            m_solids.arrow(tail, head, kShaft * size.mark_m, kHead * size.mark_m, colour.rgb());
+            m_arrows.arrow(tail, head, kShaft * size.mark_m, kHead * size.mark_m, colour.rgb());
         if (const auto start_m = touches.startOf(contact.id))
             drawWay(m_marks.back(), *start_m, height_m, sensor);
     }
     if (labels.size() == layout.taxels() && !m_marks.empty())
         outlineRegions(labels, layout, sensor);
     m_solids.finish();
+    m_arrows.finish();
     m_outlines.finish();
     m_ways.finish();
 }
@@ -160,6 +170,8 @@ void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const cor
 
 void ContactPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     meshes.push_back(m_solids.data());
+    if (m_forcesShown)
+        meshes.push_back(m_arrows.data());
     meshes.push_back(m_outlines.data());
     if (m_wayShown)
         meshes.push_back(m_ways.data());

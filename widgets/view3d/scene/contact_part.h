@@ -40,6 +40,7 @@ public:
     void setPose(vtkMatrix4x4* X_World_Sensor);
     void setVisible(bool visible);
     void setDisplacementShown(bool shown);
+    void setForcesShown(bool shown);
     void applyPixelScale(double scale);
 
     /// labels: region of each taxel, or empty. loadRange_N, forceRange_N: load of the full height and force
@@ -62,7 +63,9 @@ private:
     std::vector<Eigen::Vector3d> m_way;
     bool m_visible = true;
     bool m_wayShown = true;
+    bool m_forcesShown = true;
     Mesh m_solids{Mesh::Shading::smooth};
+    Mesh m_arrows{Mesh::Shading::smooth};
     Mesh m_outlines{Mesh::Shading::none};
     Mesh m_ways{Mesh::Shading::none};
 };

@@ -27,6 +27,11 @@ SceneColours::SceneColours(const QPalette& palette)
     contourPoint = text;
     contourCurve = palette.color(QPalette::Link);
     contourVertex = status.stale;
+    trail = base::mixed(ground, text, 0.75);
+    nearLimit = status.stale;
+    atLimit = status.lost;
+    jointForce = text;
+    moment = text;
 }
 
 } // namespace teleta::view3d

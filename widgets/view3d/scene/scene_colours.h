@@ -28,6 +28,11 @@ struct SceneColours {
     QColor contourPoint;
     QColor contourCurve;
     QColor contourVertex;
+    QColor trail;
+    QColor nearLimit; ///< of a joint near the end of its range
+    QColor atLimit;
+    QColor jointForce; ///< force that the joint torques tell
+    QColor moment;
 
     SceneColours() = default;
     explicit SceneColours(const QPalette& palette);

@@ -26,4 +26,35 @@ struct ArmLink {
     double radius_m = 0.0; ///< > 0
 };
 
+/// A joint that turns within limits, with its present angle.
+struct JointDial {
+    QString name;
+    /// Origin on the joint's axis, z along it, x the direction of the angle 0. Stands still while this joint
+    /// turns.
+    Eigen::Isometry3d X_World_Joint = Eigen::Isometry3d::Identity();
+    double angle_rad = 0.0;
+    double lowest_rad = 0.0;
+    double highest_rad = 0.0; ///< > lowest_rad; a joint without finite limits is not drawn
+    double radius_m = 0.0;    ///< of what turns, > 0: the dial is drawn around it
+};
+
+/// A force on the arm, as the joint torques tell it. World frame.
+struct DrawnForce {
+    Eigen::Vector3d p_World_m = Eigen::Vector3d::Zero(); ///< where it acts
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+};
+
+/// A frame with z along an axis and x towards a direction, which need not be at right angles to the axis; any
+/// x when it lies along the axis. axis: of length 1.
+[[nodiscard]] inline Eigen::Isometry3d frameAround(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
+                                                   const Eigen::Vector3d& towards) {
+    constexpr double kLeastShare = 1e-6; ///< of `towards` that is at right angles to the axis
+    Eigen::Vector3d x = towards - towards.dot(axis) * axis;
+    x = x.norm() > kLeastShare * towards.norm() ? Eigen::Vector3d(x.normalized()) : axis.unitOrthogonal();
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.linear() << x, axis.cross(x), axis;
+    frame.translation() = origin;
+    return frame;
+}
+
 } // namespace teleta::view3d

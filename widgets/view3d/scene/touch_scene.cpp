@@ -89,7 +89,7 @@ TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
             peak_N = std::max(peak_N, load_N);
     }
     m_loadRange.update(0.0, peak_N, snapshot.sourceTime_s);
-    double force_N = 0.0;
+    double force_N = m_otherForce_N;
     for (const contact::Contact& contact : snapshot.contacts)
         if (std::isfinite(contact.force_N))
             force_N = std::max(force_N, contact.force_N);

@@ -56,6 +56,9 @@ public:
         m_contacts.setDisplacementShown(shown);
         m_tube.setDisplacementShown(shown);
     }
+    void setForcesShown(bool shown) { m_contacts.setForcesShown(shown); }
+    /// Size of a force that is drawn beside the contacts' with the same scale; 0: there is none.
+    void setOtherForce(double force_N) { m_otherForce_N = force_N; }
     /// The tube watched by a camera; null: none. Returns whether the outer shape of the scene changed.
     bool setTube(const pipeline::CameraSnapshot* snapshot);
     [[nodiscard]] const TubePart& tube() const { return m_tube; }
@@ -111,6 +114,7 @@ private:
     base::CalmRange m_loadRange{1.0};
     base::CalmRange m_forceRange{1.0};
     double m_rangeThreshold_N = 0.0;
+    double m_otherForce_N = 0.0;
     Surface m_surface = Surface::plate;
     CylinderSize m_wantedCylinder;
     Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();

@@ -290,6 +290,11 @@ private slots:
         QTest::mouseClick(chart->childAt(at), Qt::LeftButton, {}, chart->childAt(at)->mapFrom(chart, at));
         QCOMPARE(clicked.count(), 1);
         QCOMPARE(part<QTableWidget>("rungs").currentRow(), 1);
+        const QString words = part<QLabel>("words").text();
+        QVERIFY2(words.startsWith(QStringLiteral("ultrafast-3.2 takes 1.00")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("More exact: dots, takes 18 times as long")),
+                 qPrintable(words));
+        QVERIFY(part<QLabel>("words").isVisible());
     }
 
     void withoutACameraItOffersOneAndNothingCanBeSet() {
@@ -305,10 +310,12 @@ private slots:
         openCamera();
         QTRY_COMPARE_WITH_TIMEOUT(rungOfCamera(), QStringLiteral("dots"), kPatience_ms);
         QTRY_VERIFY(part<QPushButton>("useBest").isEnabled()); // 8 ms: the quick one
+        QTRY_VERIFY(part<QLabel>("words").text().startsWith(QStringLiteral("In use: dots.")));
 
         QTest::mouseClick(&part<QPushButton>("useBest"), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(rungOfCamera(), QStringLiteral("ultrafast-3.2"), kPatience_ms);
         QTRY_COMPARE(part<QComboBox>("rung").currentData().toString(), QStringLiteral("ultrafast-3.2"));
+        QTRY_VERIFY(part<QLabel>("words").text().startsWith(QStringLiteral("In use: ultrafast-3.2.")));
 
         auto& budget = part<QDoubleSpinBox>("budget");
         budget.setFocus();

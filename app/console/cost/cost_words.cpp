@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/cost/cost_words.h"
+
+#include "widgets/base/numbers/number_format.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace teleta::console {
+
+namespace {
+
+bool isKnown(const cost::RungCost& rung) {
+    return rung.isTimed() && rung.timeMedian_s > 0.0 && !std::isnan(rung.errorMean) && !rung.isLimit();
+}
+
+/// "2.5", "12".
+QString factorText(double factor) {
+    return QLocale().toString(factor, 'g', 2);
+}
+
+} // namespace
+
+QString CostWords::quantity(double value, const QString& unit) {
+    if (std::isnan(value))
+        return QStringLiteral("\u2014");
+    const bool isShare = unit == QStringLiteral("1");
+    const double number = isShare ? 100.0 * value : value;
+    const double least = isShare ? 0.01 : 1e-12;
+    // Rounding errors have no prefix that anybody would know.
+    if (number != 0.0 && std::abs(number) < least)
+        return base::withUnit(QLocale().toString(number, 'e', 1), isShare ? QStringLiteral("%") : unit);
+    return isShare ? base::withUnit(base::threeDigits(number).trimmed(), QStringLiteral("%"))
+                   : base::siQuantity(number, unit).simplified();
+}
+
+QString CostWords::comparedWith(const cost::RungCost& other, const cost::RungCost& here,
+                                const QString& unit) {
+    constexpr double kTwice = 0.05; ///< so near to 2 is twice
+    const double ratio = here.timeMedian_s / other.timeMedian_s;
+    const QString time =
+        ratio >= 1.0                           ? std::abs(ratio - 2.0) < kTwice ? tr("twice as fast")
+                                                                                : tr("%1 times as fast").arg(factorText(ratio))
+                                  : std::abs(1.0 / ratio - 2.0) < kTwice ? tr("takes twice as long")
+                                               : tr("takes %1 times as long").arg(factorText(1.0 / ratio));
+    const QString difference = quantity(std::abs(other.errorMean - here.errorMean), unit);
+    //: How fast another setting is, and by how much its results are better or worse
+    return other.errorMean > here.errorMean ? tr("%1, %2 less exact").arg(time, difference)
+                                            : tr("%1, %2 more exact").arg(time, difference);
+}
+
+QString CostWords::about(const cost::LadderCost& job, const std::string& setting, bool inUse) {
+    const auto found = std::ranges::find(job.rungs, setting, &cost::RungCost::name);
+    if (found == job.rungs.end() || !isKnown(*found))
+        return {};
+    const cost::RungCost& here = *found;
+    const QString unit = QString::fromStdString(job.errorUnit);
+    const QString name = QString::fromStdString(here.name);
+    const QString time = quantity(here.timeMedian_s, QStringLiteral("s"));
+    const QString error = quantity(here.errorMean, unit);
+    QStringList sentences;
+    //: A setting, its time, its error
+    sentences << (inUse ? tr("In use: %1. It takes %2 and is off by %3 on average.")
+                        : tr("%1 takes %2 and is off by %3 on average."))
+                     .arg(name, time, error);
+    const cost::RungCost* faster = nullptr;
+    const cost::RungCost* better = nullptr;
+    const cost::RungCost* beats = nullptr;
+    for (const cost::RungCost& other : job.rungs) {
+        if (!isKnown(other) || !other.pareto || &other == &here)
+            continue;
+        const bool isFaster = other.timeMedian_s < here.timeMedian_s;
+        const bool isBetter = other.errorMean < here.errorMean;
+        if (isFaster && isBetter && (beats == nullptr || other.errorMean < beats->errorMean))
+            beats = &other;
+        if (isFaster && !isBetter && (faster == nullptr || other.timeMedian_s > faster->timeMedian_s))
+            faster = &other;
+        if (isBetter && !isFaster && (better == nullptr || other.timeMedian_s < better->timeMedian_s))
+            better = &other;
+    }
+    if (beats != nullptr)
+        sentences << tr("%1 is better in both: %2.")
+                         .arg(QString::fromStdString(beats->name), comparedWith(*beats, here, unit));
+    if (faster != nullptr)
+        sentences << tr("Faster: %1, %2.")
+                         .arg(QString::fromStdString(faster->name), comparedWith(*faster, here, unit));
+    if (better != nullptr)
+        sentences << tr("More exact: %1, %2.")
+                         .arg(QString::fromStdString(better->name), comparedWith(*better, here, unit));
+    if (beats == nullptr && faster == nullptr)
+        sentences << tr("No setting is faster.");
+    if (beats == nullptr && better == nullptr)
+        sentences << tr("No setting is more exact.");
+    return sentences.join(QLatin1Char(' '));
+}
+
+} // namespace teleta::console

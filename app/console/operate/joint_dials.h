@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/arm/arm4_kinematics.h"
+#include "backend/arm_model/serial_chain.h"
+#include "backend/core/device/arm_device.h"
+#include "backend/servo/lwr_kinematics.h"
+#include "widgets/view3d/scene/scene_types.h"
+
+#include <vector>
+
+namespace teleta::console {
+
+// Where the joints of an arm are in space, with their ranges, for the dials of the 3-D view. The angle 0 of a
+// dial points where what the joint moves lies at 0. radius_m: of what is drawn at the joint. Thread: any.
+
+/// Of the arm with four joints. q_rad: finite.
+[[nodiscard]] std::vector<view3d::JointDial> armDials(const arm::Arm4Kinematics& kinematics,
+                                                      const core::ArmDescription& description,
+                                                      const arm::JointVector& q_rad);
+/// Of an arm by its description; joints that slide or turn without limits have none. q: as many as the chain
+/// has joints, finite.
+[[nodiscard]] std::vector<view3d::JointDial> chainDials(const arm_model::SerialChain& chain,
+                                                        const core::JointVector& q, double radius_m);
+/// Of the arm of the servo scenes. Empty where an angle is not finite.
+[[nodiscard]] std::vector<view3d::JointDial> servoDials(const servo::LwrVector& q_rad, double radius_m);
+
+} // namespace teleta::console

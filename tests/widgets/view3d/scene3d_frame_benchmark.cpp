@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time of a frame of the 3-D view with OpenGL, from new joints to the last pixel: an arm with a skin in
+// motion, with the trail of its tip, the dial of a joint near its limit, and the force that the joints tell,
+// against the same without these. Run it under Xvfb with LIBGL_ALWAYS_SOFTWARE=1.
+#include "tests/widgets/view3d/touch_examples.h"
+#include "widgets/base/theme.h"
+#include "widgets/view3d/scene3d_view.h"
+#include "widgets/view3d/vtk/guest_render_window.h"
+#include "widgets/view3d/vtk/vtk_widget.h"
+
+#include <QApplication>
+#include <QTest>
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+using namespace teleta;
+
+namespace {
+
+constexpr core::ArrayLayout kSkin{.rows = 20, .columns = 24, .pitch_m = 0.0094};
+
+/// A step of 1/30 s: the arm turns, and is touched.
+void step(view3d::Scene3dView& view, std::uint64_t frame) {
+    const double time_s = static_cast<double>(frame) / 30.0;
+    const double turn = 0.5 * std::sin(time_s);
+    std::array<view3d::ArmLink, 2> links;
+    links[0].X_World_Link.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+    links[0].length_m = 0.30;
+    links[0].radius_m = 0.03;
+    links[1].X_World_Link = links[0].X_World_Link * Eigen::Translation3d(0.30, 0, 0) *
+                            Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitZ());
+    links[1].length_m = 0.27;
+    links[1].radius_m = 0.03;
+    view.setArmLinks(links);
+    view.setSensorPose(links[1].X_World_Link * Eigen::Translation3d(0.135, 0, 0));
+    view.setTip(links[1].X_World_Link * Eigen::Vector3d(0.27, 0, 0), time_s);
+    const view3d::JointDial elbow{QStringLiteral("elbow"),
+                                  view3d::frameAround(links[1].X_World_Link.translation(),
+                                                      Eigen::Vector3d::UnitZ(),
+                                                      links[0].X_World_Link.linear().col(0)),
+                                  2.5 + 0.01 * turn,
+                                  -0.2,
+                                  2.6,
+                                  0.03};
+    view.setJoints(std::array{elbow});
+    view.setForce(
+        view3d::DrawnForce{links[1].X_World_Link * Eigen::Vector3d(0.135, 0, 0.03), {0.0, 0.0, -1.0}});
+    view.setSnapshot(test::pressed(kSkin, {{1, 0.01 * turn, 0.0, 1.0, 0.02}}, frame));
+}
+
+void frames(benchmark::State& state, const QStringList& hidden) {
+    view3d::Scene3dView view;
+    auto* vtk = view.findChild<view3d::VtkWidget*>();
+    vtk->setFixedSize(640, 480);
+    view.setSurface(view3d::Surface::cylinder);
+    view.setCylinder({.radius_m = 0.03, .length_m = 0.226});
+    view.setHiddenLayers(hidden);
+    view.show();
+    if (!QTest::qWaitForWindowExposed(&view)) {
+        state.SkipWithError("no window");
+        return;
+    }
+    std::uint64_t frame = 0;
+    for (int i = 0; i < 200; ++i) // the trail is whole
+        step(view, ++frame);
+    (void)vtk->picture(1.0, view3d::VtkWidget::PictureOverlay::without);
+    auto* window = static_cast<view3d::GuestRenderWindow*>(vtk->renderWindow());
+    window->SetMultiSamples(0);
+    window->setQuality(view3d::FrameQuality::Level::plain);
+    window->renderGuarded();
+    for (auto _ : state) {
+        step(view, ++frame);
+        window->renderGuarded();
+        window->WaitForCompletion();
+    }
+}
+
+void withMarks(benchmark::State& state) {
+    frames(state, {});
+}
+void withoutMarks(benchmark::State& state) {
+    frames(state, {"trail", "jointLimits", "moments"});
+}
+
+BENCHMARK(withoutMarks)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(withMarks)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+
+int main(int argc, char** argv) {
+    view3d::configureOpenGlBeforeApplication();
+    QApplication application(argc, argv);
+    base::applyTheme(base::ThemeChoice::dark);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view3d/marks/trail.h"
+#include "widgets/view3d/mesh/mesh_actor.h"
+#include "widgets/view3d/scene/scene_colours.h"
+
+#include <vtkRenderer.h>
+
+namespace teleta::view3d {
+
+/// Where the tip of an arm was during the last seconds, as a line that fades. World frame. Thread: one.
+class TrailPart {
+public:
+    void addTo(vtkRenderer* renderer) { renderer->AddActor(m_line.actor); }
+    void setVisible(bool visible) { m_line.actor->SetVisibility(visible); }
+    void applyColours(const SceneColours& colours);
+    void applyPixelScale(double scale) { m_line.setLineWidth(kLine_px, scale); }
+
+    /// time_s: of the arm. Returns whether what is drawn changed.
+    bool add(const Eigen::Vector3d& p_World_m, double time_s);
+    void clear();
+    [[nodiscard]] const Trail& trail() const { return m_trail; }
+
+private:
+    static constexpr double kLine_px = 3.0;
+
+    void rebuild();
+
+    Trail m_trail;
+    SceneColours m_colours;
+    Mesh m_line{Mesh::Shading::none, Mesh::Alpha::used};
+};
+
+} // namespace teleta::view3d

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/marks/wrench_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace teleta::view3d {
+
+namespace {
+
+constexpr double kRangeInThresholds = 5.0;
+constexpr double kSmallestRange_Nm = 1e-30;
+constexpr double kLeastShare = 0.02; ///< of the range; what is smaller is not drawn
+// In radii of a contact's sphere.
+constexpr double kForceShaft = 0.22;
+constexpr double kForceHead = 1.8;
+constexpr double kTurnShaft = 0.22;
+constexpr double kTurnHead = 1.6;
+constexpr double kTurn = 0.75;                                     ///< radius of the turn, in longest arrows
+constexpr double kMostTurn_rad = 150.0 * std::numbers::pi / 180.0; ///< at the full range
+constexpr int kTurnSteps = 24;
+
+bool isInNewton(const TouchScene& scene) {
+    return scene.hasSensor() && scene.snapshot().loadUnit == "N";
+}
+
+} // namespace
+
+std::optional<Eigen::Vector3d> momentOf_Nm(const contact::TactileFeatures& features) {
+    if (!features.dzmpX_m || !features.dzmpY_m || !features.cocX_m || !features.cocY_m)
+        return std::nullopt;
+    const Eigen::Vector3d moment_Nm(-features.force_N * *features.dzmpX_m,
+                                    features.force_N * *features.dzmpY_m, 0.0);
+    return moment_Nm.allFinite() ? std::optional(moment_Nm) : std::nullopt;
+}
+
+void WrenchPart::addTo(vtkRenderer* renderer) {
+    renderer->AddActor(m_force.actor);
+    renderer->AddActor(m_moment.actor);
+}
+
+void WrenchPart::take(const pipeline::TouchSnapshot& snapshot) {
+    // A load at the threshold, one taxel from the centre.
+    const double least_Nm =
+        std::max(kRangeInThresholds * snapshot.threshold_N * snapshot.layout.pitch_m, kSmallestRange_Nm);
+    if (std::exchange(m_leastRange_Nm, least_Nm) != least_Nm)
+        m_momentRange = base::CalmRange(least_Nm);
+    const auto moment_Nm = momentOf_Nm(snapshot.features);
+    m_momentRange.update(0.0, moment_Nm ? moment_Nm->norm() : 0.0, snapshot.sourceTime_s);
+}
+
+void WrenchPart::draw(const TouchScene& scene) {
+    m_force.clear();
+    m_moment.clear();
+    m_forceTail.reset();
+    m_momentHead.reset();
+    if (isInNewton(scene)) {
+        drawForce(scene);
+        drawMoment(scene);
+    }
+    m_force.finish();
+    m_moment.finish();
+}
+
+void WrenchPart::drawForce(const TouchScene& scene) {
+    if (!m_drawnForce || !m_drawnForce->p_World_m.allFinite() || !m_drawnForce->force_N.allFinite())
+        return;
+    const double share = m_drawnForce->force_N.norm() / scene.forceRange_N();
+    if (!(share > kLeastShare))
+        return;
+    const SensorSize& size = scene.sensorSize();
+    const Eigen::Vector3d& head = m_drawnForce->p_World_m;
+    m_forceTail = head - std::min(1.0, share) * size.arrow_m * m_drawnForce->force_N.normalized();
+    m_force.arrow(*m_forceTail, head, kForceShaft * size.mark_m, kForceHead * size.mark_m,
+                  m_colours.jointForce.rgb());
+}
+
+void WrenchPart::drawMoment(const TouchScene& scene) {
+    const contact::TactileFeatures& features = scene.snapshot().features;
+    const auto moment_Nm = momentOf_Nm(features);
+    if (!moment_Nm || m_bent || scene.surface() != Surface::plate)
+        return;
+    m_moment_Nm = moment_Nm->norm();
+    const double share = std::min(1.0, m_moment_Nm / momentRange_Nm());
+    if (!(share > kLeastShare))
+        return;
+    const SensorSize& size = scene.sensorSize();
+    const Eigen::Vector3d axis = moment_Nm->normalized();
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d centre(*features.cocX_m, *features.cocY_m, size.tile_m);
+    const double radius_m = kTurn * size.arrow_m;
+    const auto at = [&](double angle_rad) {
+        return scene.toWorld(centre + radius_m * (Eigen::AngleAxisd(angle_rad, axis) * up));
+    };
+    // Around the normal, so that the array hides nothing of it.
+    const double half_rad = 0.5 * share * kMostTurn_rad;
+    const double head_m = std::min(kTurnHead * size.mark_m, 2.0 * half_rad * radius_m);
+    const double neck_rad = half_rad - head_m / radius_m;
+    const QRgb colour = m_colours.moment.rgb();
+    Eigen::Vector3d from = at(-half_rad);
+    for (int i = 1; i <= kTurnSteps; ++i) {
+        const Eigen::Vector3d to = at(-half_rad + (neck_rad + half_rad) * i / kTurnSteps);
+        m_moment.cone(from, to, kTurnShaft * size.mark_m, kTurnShaft * size.mark_m, colour);
+        from = to;
+    }
+    m_momentHead = at(half_rad);
+    m_moment.cone(from, *m_momentHead, 2.4 * kTurnShaft * size.mark_m, 0.0, colour);
+}
+
+} // namespace teleta::view3d
