@@ -57,6 +57,7 @@ bool cameraJson(Bytes bytes);
 bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
+bool soundBraceletFile(Bytes bytes);
 bool rosArmFile(Bytes bytes);
 bool taxelsFile(Bytes bytes);
 bool urdf(Bytes bytes);

@@ -15,19 +15,20 @@ protected:
 } // namespace
 
 TEST_F(SoundJackPeer, playsOnTheSystemsOutputs) {
-    open(fileOf("jack:system"));
+    ASSERT_TRUE(open(fileOf("jack:system")));
     EXPECT_EQ(m_bracelet->description().model.find("system") != std::string::npos, true);
     ASSERT_EQ(write(kSome), core::WriteOutcome::written);
     EXPECT_TRUE(eventually([this] { return m_bracelet->telemetry().framesEchoed > 1; }));
 }
 
 TEST_F(SoundJackPeer, endsWhatIsDrivenWhenPeriodsAreMissed) {
-    open(fileOf("jack"));
+    ASSERT_TRUE(open(fileOf("jack")));
     const std::uint64_t before = m_bracelet->connection();
     ASSERT_EQ(write(kSome), core::WriteOutcome::written);
     ASSERT_TRUE(eventually(
         [&] { return m_bracelet->telemetry().board.driving || m_bracelet->connection() != before; }));
-    m_server.hold(200);
+    // Shorter than the time-out of the frame, so that it is still driven afterwards.
+    m_server.hold(50);
     // A new connection, for which nobody asked for anything yet.
     EXPECT_TRUE(
         eventually([&] { return m_bracelet->connection() != 0 && m_bracelet->connection() != before; }));
@@ -36,7 +37,7 @@ TEST_F(SoundJackPeer, endsWhatIsDrivenWhenPeriodsAreMissed) {
 }
 
 TEST_F(SoundJackPeer, isLostWithTheServer) {
-    open(fileOf("jack:system"));
+    ASSERT_TRUE(open(fileOf("jack:system")));
     m_server.kill();
     EXPECT_TRUE(eventually([this] { return m_bracelet->connection() == 0; }));
     EXPECT_TRUE(eventually([this] { return m_bracelet->status().state == core::DeviceState::reconnecting; }));

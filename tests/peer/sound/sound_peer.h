@@ -25,12 +25,15 @@ protected:
         return file.value_or(sound::SoundBraceletFile{});
     }
 
-    void open(const sound::SoundBraceletFile& file) {
+    [[nodiscard]] testing::AssertionResult open(const sound::SoundBraceletFile& file) {
         auto opened = sound::openSoundBracelet(file, m_stop);
-        ASSERT_TRUE(opened) << core::describe(opened.error());
+        if (!opened)
+            return testing::AssertionFailure() << core::describe(opened.error());
         m_bracelet = std::move(*opened);
         m_bracelet->start(m_wakeup);
-        ASSERT_TRUE(eventually([this] { return m_bracelet->status().state == core::DeviceState::live; }));
+        return eventually([this] { return m_bracelet->connection() != 0; })
+                   ? testing::AssertionSuccess()
+                   : testing::AssertionFailure() << m_bracelet->status().message;
     }
 
     /// Error of a file with which nothing can be opened.
@@ -45,11 +48,13 @@ protected:
     }
 
     /// Writes this drive for so long, a frame every 20 ms.
-    void drive(const core::Drive& drive, int frames) {
+    [[nodiscard]] testing::AssertionResult drive(const core::Drive& drive, int frames) {
         for (int i = 0; i < frames; ++i) {
-            ASSERT_EQ(write(drive), core::WriteOutcome::written);
+            if (write(drive) != core::WriteOutcome::written)
+                return testing::AssertionFailure() << "frame " << i << ": " << m_bracelet->status().message;
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
+        return testing::AssertionSuccess();
     }
 
     template <typename Condition>

@@ -50,18 +50,18 @@ void SoundServer::kill() {
     m_manager.kill();
 }
 
-bool SoundServer::createSink() {
+bool SoundServer::createSink(const QString& name) {
     return soon(QStringLiteral("pw-cli"),
                 {QStringLiteral("create-node"), QStringLiteral("adapter"),
-                 QStringLiteral(
-                     "{ factory.name=support.null-audio-sink node.name=tactors media.class=Audio/Sink "
-                     "object.linger=true audio.position=[AUX0 AUX1 AUX2 AUX3 AUX4 AUX5] "
-                     "monitor.channel-volumes=false }")}) &&
-           prints(QStringLiteral("pw-link"), {QStringLiteral("-io")}, "tactors:monitor_AUX5");
+                 QStringLiteral("{ factory.name=support.null-audio-sink node.name=%1 media.class=Audio/Sink "
+                                "object.linger=true audio.position=[AUX0 AUX1 AUX2 AUX3 AUX4 AUX5] "
+                                "monitor.channel-volumes=false }")
+                     .arg(name)}) &&
+           prints(QStringLiteral("pw-link"), {QStringLiteral("-io")}, name.toLatin1() + ":monitor_AUX5");
 }
 
-bool SoundServer::destroySink() {
-    return test::runs(QStringLiteral("pw-cli"), {QStringLiteral("destroy"), QLatin1String(kSink)});
+bool SoundServer::destroySink(const QString& name) {
+    return test::runs(QStringLiteral("pw-cli"), {QStringLiteral("destroy"), name});
 }
 
 bool JackServer::start() {
@@ -70,7 +70,7 @@ bool JackServer::start() {
                     QStringLiteral("dummy"), QStringLiteral("-r"), QStringLiteral("48000"),
                     QStringLiteral("-p"), QStringLiteral("128"), QStringLiteral("-C"), QStringLiteral("6"),
                     QStringLiteral("-P"), QStringLiteral("6")});
-    return soon(QStringLiteral("jack_wait"), {QStringLiteral("-c")}) || m_server.processId() != 0;
+    return prints(QStringLiteral("jack_lsp"), {}, "system:playback_6");
 }
 
 void JackServer::hold(int milliseconds) {

@@ -3,7 +3,7 @@
 
 #include "tests/support/peer_process.h"
 
-#include <string>
+#include <QString>
 
 namespace teleta::peer {
 
@@ -11,16 +11,14 @@ namespace teleta::peer {
 /// comes back at its monitor. Runs in a session of with_sound_session.sh. Thread: one.
 class SoundServer {
 public:
-    static constexpr const char* kSink = "tactors";
-
     /// False: it did not start.
     [[nodiscard]] bool start();
     /// Without a chance to close anything.
     void kill();
 
-    [[nodiscard]] bool createSink();
+    [[nodiscard]] bool createSink(const QString& name = QStringLiteral("tactors"));
     /// As if the card were unplugged.
-    [[nodiscard]] bool destroySink();
+    [[nodiscard]] bool destroySink(const QString& name = QStringLiteral("tactors"));
 
 private:
     test::PeerProcess m_server;
