@@ -215,6 +215,23 @@
     </message>
 </context>
 <context>
+    <name>SoundBracelet</name>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StimulusText</name>
     <message numerus="yes">
         <source>%n object(s) of the stimulus have %1</source>

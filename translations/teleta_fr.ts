@@ -283,6 +283,21 @@
     </message>
 </context>
 <context>
+    <name>AlsaText</name>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation type="unfinished">qu’il y soit d’abord fermé</translation>
+    </message>
+    <message>
+        <source>The sound card %1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ArmChainText</name>
     <message>
         <source>interrupted</source>
@@ -973,6 +988,22 @@
     <message>
         <source>not calibrated: the motors are assumed</source>
         <translation>non étalonnés&#xa0;: les moteurs sont supposés</translation>
+    </message>
+    <message>
+        <source>confirmed: played by the callback of the sound card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latency at most %1 ms, as stated, not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>callback takes %1 % of a period, longest %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>periods missed: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3398,12 +3429,12 @@ Exemples&#xa0;:
         <translation>ce qui en est venu ne contient aucune trame telle que le fichier la décrit</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
-        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; ou &quot;xela&quot;</translation>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of a described array: show so many of the bytes that it sends</source>
-        <translation>D’une matrice décrite&#xa0;: montrer tant d’octets de ceux qu’elle envoie</translation>
+        <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4491,6 +4522,17 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>GelText</name>
+    <message>
+        <source>Only %1 markers were found in the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5293,10 +5335,6 @@ Exemples&#xa0;:
         <translation>impossible de se connecter à %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 is no file</source>
-        <translation>%1 n’est pas un fichier</translation>
-    </message>
-    <message>
         <source>The link failed: %1.</source>
         <translation>La liaison a échoué&#xa0;: %1.</translation>
     </message>
@@ -5319,6 +5357,14 @@ Exemples&#xa0;:
     <message>
         <source>no answer</source>
         <translation>sans réponse</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other program closed the pipe.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5376,22 +5422,6 @@ Exemples&#xa0;:
     <message>
         <source>a picture of the gel&apos;s markers</source>
         <translation>une image des marqueurs du gel</translation>
-    </message>
-    <message>
-        <source>The picture shows no markers: %1 were found.</source>
-        <translation>L’image ne montre pas de marqueurs&#xa0;: %1 ont été trouvés.</translation>
-    </message>
-    <message>
-        <source>at least %1 round %2 spots of one size</source>
-        <translation>au moins %1 taches rondes, %2 et de même taille</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>claires</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>sombres</translation>
     </message>
     <message>
         <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
@@ -5472,16 +5502,8 @@ Exemples&#xa0;:
         <translation>Fichier du capteur, de kind «&#xa0;marker_gel&#xa0;»</translation>
     </message>
     <message>
-        <source>Print what was found in all, without the table</source>
-        <translation>Afficher un bilan, sans le tableau</translation>
-    </message>
-    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>un bilan est affiché&#xa0;; --out écrit le tableau</translation>
-    </message>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>la caméra n’envoie plus d’images</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5566,6 +5588,33 @@ Exemples&#xa0;:
     <message>
         <source>Follow the markers of a flat gel in a video</source>
         <translation>Suivre les marqueurs d’un gel plat dans une vidéo</translation>
+    </message>
+    <message>
+        <source>Print a summary instead of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s, centre (%3, %4) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, slip index up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, slip at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7316,6 +7365,30 @@ Aire %6</translation>
     <message>
         <source>let it cool down first</source>
         <translation>laissez-le d’abord refroidir</translation>
+    </message>
+    <message>
+        <source>Confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>played by the callback of the sound card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 ms, as stated, not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Callback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of a period, longest %2 %, %3 missed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9871,6 +9944,238 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>%1 refuses: %2</source>
         <translation>%1 refuse&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundBracelet</name>
+    <message>
+        <source>The sound card asks for no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no JACK library: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the package pipewire-jack, or libjack-jackd2-0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation type="unfinished">l’un de&#xa0;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SoundBraceletFile</name>
+    <message>
+        <source>&quot;%1&quot; names no sound card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such sample rate: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation type="unfinished">l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is no power of two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
+        <translation type="unfinished">1 ou 2048 {16, 32, 64, 128, 256, 512, 1024 ?}</translation>
+    </message>
+    <message>
+        <source>each tactor needs an output of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six different whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 carriers for six tactors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one number, or a list of six</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frequency is not clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either carrier_Hz or level_Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation type="unfinished">les niveaux ne sont pas croissants</translation>
+    </message>
+    <message>
+        <source>five frequencies, the lowest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ramp is too short for the frequency: it would click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 ms</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13154,10 +13459,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>TaxelsText</name>
     <message>
-        <source>&quot;%1&quot; are no hexadecimal bytes</source>
-        <translation>«&#xa0;%1&#xa0;» ne sont pas des octets hexadécimaux</translation>
-    </message>
-    <message>
         <source>up to %1 bytes, as &quot;AA 55&quot;</source>
         <translation>au plus %1 octets, comme «&#xa0;AA 55&#xa0;»</translation>
     </message>
@@ -13363,20 +13664,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>sans seuil, on ne sait pas quels taxels sont touchés</translation>
     </message>
     <message>
-        <source>threshold = &quot;a load in the unit of the values&quot;</source>
-        <translation>threshold = &quot;une charge dans l’unité des valeurs&quot;</translation>
-    </message>
-    <message>
         <source>opening was cancelled</source>
         <translation>l’ouverture a été annulée</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames came for the rest of the array</source>
-        <translation>seulement %1 trames sur %2 sont venues pour le repos de la matrice</translation>
-    </message>
-    <message>
-        <source>a sensor that sends, as the file describes it</source>
-        <translation>un capteur qui envoie, comme le fichier le décrit</translation>
     </message>
     <message>
         <source>numbers from 0 to %1, and at least one place with a taxel</source>
@@ -13385,6 +13674,22 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>numbers from 0 to %1, each once</source>
         <translation>des nombres de 0 à %1, chacun une fois</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of hexadecimal bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames arrived while the tare was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames as the file describes; check with teleta devices --probe FILE</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15718,10 +16023,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::calibrate::StepList</name>
     <message>
-        <source>%1 of %2 running</source>
-        <translation>%1 sur %2 en cours</translation>
-    </message>
-    <message>
         <source>running</source>
         <translation>en cours</translation>
     </message>
@@ -15753,6 +16054,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>%1. %2: %3</source>
         <comment>number, name and state of a step</comment>
         <translation>%1. %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>running: %1 of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16733,12 +17038,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Fichier d’appareil…</translation>
     </message>
     <message>
-        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
-        <translation>Un fichier qui décrit les registres d’un pilote de moteurs Modbus, ou les identifiants d’un bracelet USB</translation>
-    </message>
-    <message>
         <source>Open the file of a bracelet</source>
         <translation>Ouvrir le fichier d’un bracelet</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21739,12 +22044,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Annuler la dernière action sur la bibliothèque (Ctrl+Z dans la liste)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Un clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

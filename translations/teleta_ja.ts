@@ -283,6 +283,21 @@
     </message>
 </context>
 <context>
+    <name>AlsaText</name>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation type="unfinished">先にそのプログラムで閉じること</translation>
+    </message>
+    <message>
+        <source>The sound card %1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ArmChainText</name>
     <message>
         <source>interrupted</source>
@@ -971,6 +986,22 @@
     <message>
         <source>not calibrated: the motors are assumed</source>
         <translation>未キャリブレーション: モーターは仮定値です</translation>
+    </message>
+    <message>
+        <source>confirmed: played by the callback of the sound card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>latency at most %1 ms, as stated, not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>callback takes %1 % of a period, longest %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>periods missed: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3392,12 +3423,12 @@ Examples:
         <translation>届いたデータの中に、ファイルの記述に合うフレームがありません</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;または&quot;xela&quot;</translation>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of a described array: show so many of the bytes that it sends</source>
-        <translation>記述されたアレイ: 届いたバイトのうち、この数を表示する</translation>
+        <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4510,17 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelText</name>
+    <message>
+        <source>Only %1 markers were found in the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HandStation</name>
     <message>
         <source>3D mouse: none is plugged in.</source>
@@ -5277,10 +5319,6 @@ Examples:
         <translation>%1 に接続できません: %2</translation>
     </message>
     <message>
-        <source>%1 is no file</source>
-        <translation>%1はファイルではありません</translation>
-    </message>
-    <message>
         <source>The link failed: %1.</source>
         <translation>リンクに障害が発生しました: %1。</translation>
     </message>
@@ -5303,6 +5341,14 @@ Examples:
     <message>
         <source>no answer</source>
         <translation>応答なし</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other program closed the pipe.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5360,22 +5406,6 @@ Examples:
     <message>
         <source>a picture of the gel&apos;s markers</source>
         <translation>ゲルのマーカーの画像</translation>
-    </message>
-    <message>
-        <source>The picture shows no markers: %1 were found.</source>
-        <translation>画像にマーカーがありません。見つかった数: %1</translation>
-    </message>
-    <message>
-        <source>at least %1 round %2 spots of one size</source>
-        <translation>同じ大きさの丸い%2点が %1 個以上</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>明るい</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>暗い</translation>
     </message>
     <message>
         <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
@@ -5456,16 +5486,8 @@ Examples:
         <translation>kind が「marker_gel」のセンサーのファイル</translation>
     </message>
     <message>
-        <source>Print what was found in all, without the table</source>
-        <translation>表の代わりに全体の要約を表示する</translation>
-    </message>
-    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>要約は表示されるだけです。--out は表を書き出します</translation>
-    </message>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>カメラがフレームを送らなくなりました</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5550,6 +5572,33 @@ Examples:
     <message>
         <source>Follow the markers of a flat gel in a video</source>
         <translation>動画で平らなゲルのマーカーを追う</translation>
+    </message>
+    <message>
+        <source>Print a summary instead of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s, centre (%3, %4) mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, slip index up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, slip at %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7299,6 +7348,30 @@ x %4, y %5
     <message>
         <source>let it cool down first</source>
         <translation>先に冷ましてください</translation>
+    </message>
+    <message>
+        <source>Confirmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>played by the callback of the sound card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 ms, as stated, not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Callback</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of a period, longest %2 %, %3 missed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9847,6 +9920,236 @@ Run teleta-site --help for more.
     <message>
         <source>%1 refuses: %2</source>
         <translation>%1 が拒否しました: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundBracelet</name>
+    <message>
+        <source>The sound card asks for no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no JACK library: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the package pipewire-jack, or libjack-jackd2-0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">なし</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation type="unfinished">次のいずれか: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SoundBraceletFile</name>
+    <message>
+        <source>&quot;%1&quot; names no sound card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such sample rate: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation type="unfinished">次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>%1 is no power of two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
+        <translation type="unfinished">1または2048 {16, 32, 64, 128, 256, 512, 1024 ?}</translation>
+    </message>
+    <message>
+        <source>each tactor needs an output of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>six different whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 carriers for six tactors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one number, or a list of six</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frequency is not clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either carrier_Hz or level_Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation type="unfinished">レベルが昇順になっていません</translation>
+    </message>
+    <message>
+        <source>five frequencies, the lowest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the ramp is too short for the frequency: it would click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 ms</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -13122,10 +13425,6 @@ Run teleta-site --help for more.
 <context>
     <name>TaxelsText</name>
     <message>
-        <source>&quot;%1&quot; are no hexadecimal bytes</source>
-        <translation>「%1」は16進のバイトではありません</translation>
-    </message>
-    <message>
         <source>up to %1 bytes, as &quot;AA 55&quot;</source>
         <translation>「AA 55」のように最大%1バイト</translation>
     </message>
@@ -13328,20 +13627,8 @@ Run teleta-site --help for more.
         <translation>しきい値がないと、どのタクセルが触れられているか分かりません</translation>
     </message>
     <message>
-        <source>threshold = &quot;a load in the unit of the values&quot;</source>
-        <translation>threshold = &quot;値の単位での荷重&quot;</translation>
-    </message>
-    <message>
         <source>opening was cancelled</source>
         <translation>開くことが取り消されました</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames came for the rest of the array</source>
-        <translation>アレイの静止値のためのフレームが%2個中%1個しか届きませんでした</translation>
-    </message>
-    <message>
-        <source>a sensor that sends, as the file describes it</source>
-        <translation>ファイルの記述どおりに送信するセンサー</translation>
     </message>
     <message>
         <source>numbers from 0 to %1, and at least one place with a taxel</source>
@@ -13350,6 +13637,22 @@ Run teleta-site --help for more.
     <message>
         <source>numbers from 0 to %1, each once</source>
         <translation>0から%1までの数を1回ずつ</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of hexadecimal bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames arrived while the tare was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames as the file describes; check with teleta devices --probe FILE</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15677,10 +15980,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::calibrate::StepList</name>
     <message>
-        <source>%1 of %2 running</source>
-        <translation>%2 中 %1 を実行中</translation>
-    </message>
-    <message>
         <source>running</source>
         <translation>実行中</translation>
     </message>
@@ -15712,6 +16011,10 @@ Run teleta-site --help for more.
         <source>%1. %2: %3</source>
         <comment>number, name and state of a step</comment>
         <translation>%1. %2: %3</translation>
+    </message>
+    <message>
+        <source>running: %1 of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16687,12 +16990,12 @@ Run teleta-site --help for more.
         <translation>デバイスファイル(&amp;D)…</translation>
     </message>
     <message>
-        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
-        <translation>Modbusモータードライバーのレジスター、またはUSBブレスレットのIDを記述したファイル</translation>
-    </message>
-    <message>
         <source>Open the file of a bracelet</source>
         <translation>ブレスレットのファイルを開く</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21678,12 +21981,12 @@ Run teleta-site --help for more.
         <translation>ライブラリへの最後の操作を元に戻します (一覧でCtrl+Z)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;太字で、前に印のあるパターンがエディターで開いています。キー操作は、強調表示されているパターンに対するものです。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
         <translation>&lt;p&gt;クリックまたは&lt;b&gt;Enter&lt;/b&gt;でパターンを開きます。組み込みパターンは変更されず、最初の編集でコピーが作られます。自作パターンでは、&lt;b&gt;F2&lt;/b&gt;で名前の変更、&lt;b&gt;Ctrl+D&lt;/b&gt;で複製、&lt;b&gt;Delete&lt;/b&gt;で削除、&lt;b&gt;Ctrl+Z&lt;/b&gt;で元に戻します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

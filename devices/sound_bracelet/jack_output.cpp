@@ -12,6 +12,7 @@
 #include <chrono>
 #include <optional>
 #include <set>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -24,6 +25,8 @@ struct JackText {
 };
 
 constexpr const char* kClientName = "TeleTA bracelet";
+/// More than any server takes at a time.
+constexpr std::size_t kMostServerFrames = 65'536;
 constexpr auto kLook = std::chrono::milliseconds(5);
 /// Until the samples of a setpoint play: it waits for one period and plays in the next.
 constexpr double kGraphPeriods = 1.0;
@@ -75,7 +78,8 @@ JackOutput::JackOutput(const SoundBraceletFile& file, ToneEngine& engine, JackLi
     : m_file(file)
     , m_engine(engine)
     , m_jack(std::move(jack))
-    , m_client(client) {
+    , m_client(client)
+    , m_unheard(kMostServerFrames) {
 }
 
 JackOutput::~JackOutput() {
@@ -263,8 +267,14 @@ int JackOutput::process(std::uint32_t frames, void* self) {
     if (frames != output.m_file.period_frames && output.m_playing.load(std::memory_order_acquire))
         output.m_engine.fail(SoundFault::periodChanged);
     ToneEngine::Outputs outputs;
-    for (std::size_t i = 0; i < core::kTactors; ++i)
-        outputs[i] = {static_cast<float*>(output.m_jack.portBuffer(output.m_ports[i], frames)), frames};
+    for (std::size_t i = 0; i < core::kTactors; ++i) {
+        auto* const samples = static_cast<float*>(output.m_jack.portBuffer(output.m_ports[i], frames));
+        // While a port is connected, or its server ends, it may have none.
+        outputs[i] =
+            samples != nullptr
+                ? std::span(samples, frames)
+                : std::span(output.m_unheard).first(std::min<std::size_t>(frames, kMostServerFrames));
+    }
     output.m_engine.render(outputs, now_ns);
     return 0;
 }

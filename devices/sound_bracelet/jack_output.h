@@ -57,6 +57,7 @@ private:
     std::array<std::string, core::kTactors> m_targets{};
     std::array<std::string, core::kTactors> m_portNames{};
     std::array<JackPort*, core::kTactors> m_ports{};
+    std::vector<float> m_unheard; ///< of ports without a buffer
     std::string m_where;
     double m_statedLatency_s = 0.0;
     std::atomic<bool> m_playing{false}; ///< opened: from now on a change is a fault

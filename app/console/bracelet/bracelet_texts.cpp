@@ -20,12 +20,13 @@ struct BraceletTexts {
 
 /// What a sound card reports of itself: no board answers, and nobody watches the coils.
 QStringList soundDetails(const core::SoundReport& sound, double statedLatency_s) {
-    return {BraceletTexts::tr("confirmed: played by the callback of the sound card"),
-            BraceletTexts::tr("latency at most %1 ms, as stated, not measured")
-                .arg(base::fixedDigits(1e3 * statedLatency_s, 1)),
-            BraceletTexts::tr("callback takes %1 % of a period, longest %2 %")
-                .arg(base::fixedDigits(1e2 * sound.meanShare, 1), base::fixedDigits(1e2 * sound.longestShare, 1)),
-            BraceletTexts::tr("periods missed: %1").arg(sound.missedPeriods)};
+    return {
+        BraceletTexts::tr("confirmed: played by the callback of the sound card"),
+        BraceletTexts::tr("latency at most %1 ms, as stated, not measured")
+            .arg(base::fixedDigits(1e3 * statedLatency_s, 1)),
+        BraceletTexts::tr("callback takes %1 % of a period, longest %2 %")
+            .arg(base::fixedDigits(1e2 * sound.meanShare, 1), base::fixedDigits(1e2 * sound.longestShare, 1)),
+        BraceletTexts::tr("periods missed: %1").arg(sound.missedPeriods)};
 }
 
 /// What its board reports, a line each.

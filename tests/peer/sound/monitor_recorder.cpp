@@ -66,9 +66,14 @@ int MonitorRecorder::process(std::uint32_t frames, void* self) {
     const std::size_t kept = std::min<std::size_t>(frames, recorder.m_samples[0].size() - at);
     recorder.m_steady.store(frames == recorder.m_period_frames ? recorder.m_steady.load() + 1 : 0);
     std::size_t silent = frames;
+    std::array<const float*, kChannels> inputs{};
+    for (std::size_t i = 0; i < kChannels; ++i)
+        inputs[i] = static_cast<const float*>(recorder.m_jack.portBuffer(recorder.m_ports[i], frames));
+    // A server that ends may give none.
+    if (std::ranges::find(inputs, nullptr) != inputs.end())
+        return 0;
     for (std::size_t i = 0; i < kChannels; ++i) {
-        const auto* const samples =
-            static_cast<const float*>(recorder.m_jack.portBuffer(recorder.m_ports[i], frames));
+        const float* const samples = inputs[i];
         std::copy_n(samples, kept, recorder.m_samples[i].begin() + static_cast<std::ptrdiff_t>(at));
         for (std::size_t k = frames; k > 0 && frames - k < silent; --k)
             if (samples[k - 1] != 0.0F)

@@ -57,6 +57,38 @@ double sampleOf(std::size_t tactor, std::size_t frame, std::size_t change, const
            std::sin(2.0 * std::numbers::pi * kCarriers_Hz[tactor] * static_cast<double>(frame) / kRate_Hz);
 }
 
+constexpr core::Drive kOther{3000, 4095, 100, 500, 4000, 2047};
+
+/// What was recorded of the tactors with what the formula says.
+void compare(const std::array<std::vector<float>, 6>& played) {
+    // The first sample of a tone is 0, the second one is not.
+    std::size_t first = played[0].size();
+    for (const std::vector<float>& tactor : played)
+        for (std::size_t n = 0; n < first; ++n)
+            if (tactor[n] != 0.0F)
+                first = n;
+    ASSERT_LT(first, played[0].size());
+    const std::size_t begin = first - 1;
+    EXPECT_EQ(begin % kPeriod, 0U) << "a setpoint begins with a period";
+    const std::size_t frames = played[0].size() - begin;
+    const auto worst = [&](std::size_t change, std::size_t from, std::size_t until) {
+        double most = 0.0;
+        for (std::size_t i = 0; i < played.size(); ++i)
+            for (std::size_t n = from; n < until; ++n)
+                most = std::max(most, std::abs(sampleOf(i, n, change, kSome, kOther) -
+                                               static_cast<double>(played[i][begin + n])));
+        return most;
+    };
+    // The second setpoint was taken at a period.
+    std::size_t change = kPeriod;
+    while (change + kPeriod < frames && worst(change, change, change + kPeriod) > 1e-6)
+        change += kPeriod;
+    ASSERT_LT(change + kPeriod, frames);
+    EXPECT_NEAR(static_cast<double>(change) / kRate_Hz, 0.2, 0.1);
+    ASSERT_LT(change + 4800, frames);
+    EXPECT_LT(worst(change, 0, change + 4800), 1e-6) << "all six, sample by sample";
+}
+
 class SoundBraceletPeer : public SoundPeer {
 protected:
     static void SetUpTestSuite() {
@@ -83,43 +115,28 @@ TEST_F(SoundBraceletPeer, playsEachTactorOnItsOutputSampleBySample) {
                                                                "gain = [1.0, 0.9, 0.8, 0.7, 0.6, 0.5]\n");
     for (std::size_t i = 0; i < kOutputs.size(); ++i)
         file.channels[i] = static_cast<std::uint32_t>(kOutputs[i] + 1);
-    constexpr core::Drive kOther{3000, 4095, 100, 500, 4000, 2047};
-    ASSERT_TRUE(open(file));
-    ASSERT_TRUE(record());
-    ASSERT_TRUE(drive(kSome, 10));
-    ASSERT_TRUE(drive(kOther, 10));
-    ASSERT_EQ(write({}), core::WriteOutcome::written);
-    ASSERT_TRUE(eventually([this] { return m_recorder.silentFor() > 4800; }));
-    std::array<std::vector<float>, 6> played;
-    for (std::size_t i = 0; i < played.size(); ++i)
-        played[i] = m_recorder.samples(kOutputs[i]);
-
-    // The first sample of a tone is 0, the second one is not.
-    std::size_t first = played[0].size();
-    for (const std::vector<float>& tactor : played)
-        for (std::size_t n = 0; n < first; ++n)
-            if (tactor[n] != 0.0F)
-                first = n;
-    ASSERT_LT(first, played[0].size());
-    const std::size_t begin = first - 1;
-    EXPECT_EQ(begin % kPeriod, 0U) << "a setpoint begins with a period";
-    // When the second setpoint was taken, which is at a period.
-    const auto worst = [&](std::size_t change, std::size_t until) {
-        double most = 0.0;
+    // A busy machine may miss periods, as client or as recorder: then there is nothing to compare.
+    constexpr int kAttempts = 10;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        ASSERT_TRUE(open(file));
+        MonitorRecorder recorder(5 * 48'000);
+        ASSERT_TRUE(recorder.start(sound::pipeWireLibraries().front(), monitors(), kPeriod));
+        const bool driven = drive(kSome, 10) && drive(kOther, 10) &&
+                            write({}) == core::WriteOutcome::written &&
+                            eventually([&] { return recorder.silentFor() > 4800; });
+        const std::uint64_t missed =
+            m_bracelet->telemetry().board.sound->missedPeriods + recorder.missedPeriods();
+        recorder.stop();
+        m_bracelet.reset();
+        if (missed > 0)
+            continue;
+        ASSERT_TRUE(driven);
+        std::array<std::vector<float>, 6> played;
         for (std::size_t i = 0; i < played.size(); ++i)
-            for (std::size_t n = 0; n < until; ++n)
-                most = std::max(most, std::abs(sampleOf(i, n, change, kSome, kOther) -
-                                               static_cast<double>(played[i][begin + n])));
-        return most;
-    };
-    std::optional<std::size_t> change;
-    for (std::size_t at = kPeriod; at < 48'000 && !change; at += kPeriod)
-        if (worst(at, at + kPeriod) < 1e-6)
-            change = at;
-    ASSERT_TRUE(change);
-    EXPECT_NEAR(static_cast<double>(*change) / kRate_Hz, 0.2, 0.1);
-    EXPECT_LT(worst(*change, *change + 4800), 1e-6) << "all six, sample by sample";
-    EXPECT_EQ(m_bracelet->telemetry().board.sound->missedPeriods, 0U);
+            played[i] = recorder.samples(kOutputs[i]);
+        return compare(played);
+    }
+    FAIL() << "the machine missed periods each time";
 }
 
 TEST_F(SoundBraceletPeer, statesItsLatencyAndWhatItsCallbackCosts) {

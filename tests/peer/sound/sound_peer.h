@@ -14,6 +14,8 @@
 
 namespace teleta::peer {
 
+inline constexpr core::Drive kSome{500, 1000, 1500, 2000, 2500, 3000};
+
 /// A bracelet on a sound server that the test starts. Thread: one.
 class SoundPeer : public testing::Test {
 protected:
@@ -66,8 +68,6 @@ protected:
         }
         return condition();
     }
-
-    static constexpr core::Drive kSome{500, 1000, 1500, 2000, 2500, 3000};
 
     core::StopSwitch m_stop;
     core::Wakeup m_wakeup;
