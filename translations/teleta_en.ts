@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AlsaText</name>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>The sound card has %n output.</numerusform>
+            <numerusform>The sound card has %n outputs.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ArmCommand</name>
     <message numerus="yes">
         <source>%1: %n joint(s) from %2 to %3</source>
@@ -144,6 +154,16 @@
     </message>
 </context>
 <context>
+    <name>JackText</name>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>&quot;%1&quot; has %n output.</numerusform>
+            <numerusform>&quot;%1&quot; has %n outputs.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ParticipantReport</name>
     <message numerus="yes">
         <source>In %n trial(s) the time was over before you answered.</source>
@@ -211,23 +231,6 @@
         <translation>
             <numerusform>The %n device is ready.</numerusform>
             <numerusform>All %n devices are ready.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>SoundBracelet</name>
-    <message numerus="yes">
-        <source>The sound card has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>&quot;%1&quot; has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
         </translation>
     </message>
 </context>

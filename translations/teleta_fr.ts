@@ -286,15 +286,54 @@
     <name>AlsaText</name>
     <message>
         <source>Another program plays on %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un autre programme joue sur %1.</translation>
     </message>
     <message>
         <source>it to be closed there first</source>
-        <translation type="unfinished">qu’il y soit d’abord fermé</translation>
+        <translation>qu’il y soit d’abord fermé</translation>
     </message>
     <message>
         <source>The sound card %1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>La carte son %1 ne peut pas être ouverte&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation>D’autres programmes peuvent jouer aussi sur %1.</translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation>la carte elle-même, comme alsa:hw:CARD=NAME, ou shared = true dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation>La carte son n’accepte aucun des formats connus.</translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation>La carte son ne joue pas %1 échantillons par seconde.</translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation>un autre sample_rate_Hz dans le fichier d’appareil</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>La carte son a %n sortie.</numerusform>
+            <numerusform>La carte son a %n sorties.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>une sortie %1, comme l’indique channels</translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation>La carte son n’accepte pas %1 échantillons à la fois.</translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation>un autre period_frames dans le fichier d’appareil</translation>
     </message>
 </context>
 <context>
@@ -991,19 +1030,19 @@
     </message>
     <message>
         <source>confirmed: played by the callback of the sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>confirmé&#xa0;: joué par la fonction de rappel de la carte son</translation>
     </message>
     <message>
         <source>latency at most %1 ms, as stated, not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>latence d’au plus %1 ms, annoncée, non mesurée</translation>
     </message>
     <message>
         <source>callback takes %1 % of a period, longest %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>la fonction de rappel prend %1&#xa0;% d’une période, au plus %2&#xa0;%</translation>
     </message>
     <message>
         <source>periods missed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>périodes manquées&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -3430,7 +3469,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; ou &quot;sound_bracelet&quot;</translation>
     </message>
     <message>
         <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
@@ -4853,6 +4892,92 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>JackText</name>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation>PipeWire ne fonctionne pas.</translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation>Le serveur JACK ne fonctionne pas.</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation>Le serveur de son joue %1 échantillons par seconde.</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation>sample_rate_Hz = %1 dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>Un autre programme joue sur %1.</translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation>qu’il soit déconnecté, ou shared = true dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation>Le serveur de son n’établit pas la connexion.</translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation>Il y a plusieurs cartes son&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation>le nom de l’une d’elles dans device</translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation>Il n’y a pas de carte son.</translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation>Il n’y a pas de sortie de son « %1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>l’un de&#xa0;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>« %1&#xa0;» a %n sortie.</numerusform>
+            <numerusform>« %1&#xa0;» a %n sorties.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>une sortie %1, comme l’indique channels</translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation>Le serveur de son ne donne pas de port pour un actionneur.</translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation>L’actionneur %1 ne peut pas être relié à %2.</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation>Le serveur de son ne demande pas d’échantillons.</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation>Le serveur de son joue %1 échantillons à la fois.</translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation>period_frames = %1 dans le fichier d’appareil, ou un serveur qui en joue %2 à la fois</translation>
+    </message>
+</context>
+<context>
     <name>JogTargetText</name>
     <message>
         <source>%1 has no arm, or several</source>
@@ -5614,7 +5739,7 @@ Exemples&#xa0;:
     <name>MarkersText</name>
     <message>
         <source>the camera has stopped sending frames</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">la caméra ne donne plus d’images</translation>
     </message>
 </context>
 <context>
@@ -7368,27 +7493,27 @@ Aire %6</translation>
     </message>
     <message>
         <source>Confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>Confirmé</translation>
     </message>
     <message>
         <source>played by the callback of the sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>joué par la fonction de rappel de la carte son</translation>
     </message>
     <message>
         <source>Latency</source>
-        <translation type="unfinished"></translation>
+        <translation>Latence</translation>
     </message>
     <message>
         <source>at most %1 ms, as stated, not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>au plus %1 ms, annoncée, non mesurée</translation>
     </message>
     <message>
         <source>Callback</source>
-        <translation type="unfinished"></translation>
+        <translation>Fonction de rappel</translation>
     </message>
     <message>
         <source>%1 % of a period, longest %2 %, %3 missed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;% d’une période, au plus %2&#xa0;%, %3 manquées</translation>
     </message>
 </context>
 <context>
@@ -9950,232 +10075,117 @@ Lancez teleta-site --help pour en savoir plus.
     <name>SoundBracelet</name>
     <message>
         <source>The sound card asks for no samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Other programs can play on %1 as well.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card takes none of the known formats.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card does not play %1 samples a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another sample_rate_Hz in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>The sound card has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>an output %1, as channels says</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card does not take %1 samples at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another period_frames in the device file</source>
-        <translation type="unfinished"></translation>
+        <translation>La carte son ne demande pas d’échantillons.</translation>
     </message>
     <message>
         <source>There is no JACK library: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de bibliothèque JACK&#xa0;: %1</translation>
     </message>
     <message>
         <source>the package pipewire-jack, or libjack-jackd2-0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PipeWire does not run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The JACK server does not run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server plays %1 samples a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sample_rate_Hz = %1 in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program plays on %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it to be disconnected, or shared = true in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server does not start the connection.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are several sound cards: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the name of one of them in device</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no sound card.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no sound output &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one of: %1</source>
-        <translation type="unfinished">l’un de&#xa0;: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>&quot;%1&quot; has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The sound server gives no port for a tactor.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tactor %1 cannot be connected to %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server asks for no samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server plays %1 samples at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Samples came too late while a tactor was driven.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server ended.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card is gone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server changed its sample rate.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server changed its period.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A tactor was disconnected from its output.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program began to play on the sound card.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server asks for no more samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>le paquet pipewire-jack ou libjack-jackd2-0</translation>
     </message>
 </context>
 <context>
-    <name>SoundBraceletFile</name>
+    <name>SoundFaultText</name>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation>Des échantillons sont arrivés trop tard pendant qu’un actionneur vibrait.</translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation>Le serveur de son s’est arrêté.</translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation>La carte son a disparu.</translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation>Le serveur de son a changé sa fréquence d’échantillonnage.</translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation>Le serveur de son a changé sa période.</translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation>Un actionneur a été déconnecté de sa sortie.</translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation>Un autre programme s’est mis à jouer sur la carte son.</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation>Le serveur de son ne demande plus d’échantillons.</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFileText</name>
     <message>
         <source>&quot;%1&quot; names no sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1&#xa0;» ne désigne pas de carte son</translation>
     </message>
     <message>
         <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
-        <translation type="unfinished"></translation>
+        <translation>pipewire, pipewire:NODE, jack, jack:CLIENT ou alsa:PCM</translation>
     </message>
     <message>
         <source>no such sample rate: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>fréquence d’échantillonnage inconnue&#xa0;: %1</translation>
     </message>
     <message>
         <source>one of: %1</source>
-        <translation type="unfinished">l’un de&#xa0;: %1</translation>
+        <translation>l’un de&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 is no power of two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’est pas une puissance de deux</translation>
     </message>
     <message>
         <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
-        <translation type="unfinished">1 ou 2048 {16, 32, 64, 128, 256, 512, 1024 ?}</translation>
+        <translation>16, 32, 64, 128, 256, 512, 1024 ou 2048</translation>
     </message>
     <message>
         <source>each tactor needs an output of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>chaque actionneur demande sa propre sortie</translation>
     </message>
     <message>
         <source>six different whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>six nombres entiers différents</translation>
     </message>
     <message>
         <source>%1 carriers for six tactors</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 porteuses pour six actionneurs</translation>
     </message>
     <message>
         <source>one number, or a list of six</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre, ou une liste de six</translation>
     </message>
     <message>
         <source>the frequency is not clear</source>
-        <translation type="unfinished"></translation>
+        <translation>la fréquence n’est pas claire</translation>
     </message>
     <message>
         <source>either carrier_Hz or level_Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>soit carrier_Hz, soit level_Hz</translation>
     </message>
     <message>
         <source>the levels do not rise</source>
-        <translation type="unfinished">les niveaux ne sont pas croissants</translation>
+        <translation>les niveaux ne sont pas croissants</translation>
     </message>
     <message>
         <source>five frequencies, the lowest first</source>
-        <translation type="unfinished"></translation>
+        <translation>cinq fréquences, la plus basse d’abord</translation>
     </message>
     <message>
         <source>the ramp is too short for the frequency: it would click</source>
-        <translation type="unfinished"></translation>
+        <translation>la rampe est trop courte pour la fréquence&#xa0;: elle claquerait</translation>
     </message>
     <message>
         <source>at least %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>au moins %1 ms</translation>
     </message>
 </context>
 <context>
@@ -17043,7 +17053,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier qui décrit les registres d’un pilote de moteurs Modbus, les identifiants d’un bracelet USB, ou les sorties d’une carte son</translation>
     </message>
 </context>
 <context>

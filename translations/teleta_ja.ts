@@ -286,15 +286,53 @@
     <name>AlsaText</name>
     <message>
         <source>Another program plays on %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかのプログラムが%1で再生しています。</translation>
     </message>
     <message>
         <source>it to be closed there first</source>
-        <translation type="unfinished">先にそのプログラムで閉じること</translation>
+        <translation>先にそちらで閉じてください</translation>
     </message>
     <message>
         <source>The sound card %1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>サウンドカード%1を開けません: %2</translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation>ほかのプログラムも%1で再生できます。</translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation>alsa:hw:CARD=NAMEのようなカードそのもの、またはデバイスファイルのshared = true</translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation>サウンドカードは既知のどの形式も受け付けません。</translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation>サウンドカードは毎秒%1サンプルを再生できません。</translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation>デバイスファイルの別のsample_rate_Hz</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>サウンドカードの出力は%n個です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channelsが示す出力%1</translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation>サウンドカードは一度に%1サンプルを受け付けません。</translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation>デバイスファイルの別のperiod_frames</translation>
     </message>
 </context>
 <context>
@@ -989,19 +1027,19 @@
     </message>
     <message>
         <source>confirmed: played by the callback of the sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>確認済み: サウンドカードのコールバックが再生</translation>
     </message>
     <message>
         <source>latency at most %1 ms, as stated, not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>遅延は最大%1 ms (申告値、測定値ではありません)</translation>
     </message>
     <message>
         <source>callback takes %1 % of a period, longest %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>コールバックは周期の%1 %、最長%2 %</translation>
     </message>
     <message>
         <source>periods missed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>逃した周期: %1</translation>
     </message>
 </context>
 <context>
@@ -3424,7 +3462,7 @@ Examples:
     </message>
     <message>
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;のいずれか</translation>
     </message>
     <message>
         <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
@@ -4837,6 +4875,91 @@ Examples:
     </message>
 </context>
 <context>
+    <name>JackText</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation>PipeWireが動いていません。</translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation>JACKサーバーが動いていません。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation>サウンドサーバーは毎秒%1サンプルを再生しています。</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation>デバイスファイルのsample_rate_Hz = %1</translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>ほかのプログラムが%1で再生しています。</translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation>その切断、またはデバイスファイルのshared = true</translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation>サウンドサーバーが接続を開始しません。</translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation>サウンドカードが複数あります: %1。</translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation>deviceにそのいずれかの名前</translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation>サウンドカードがありません。</translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation>サウンド出力「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>「%1」の出力は%n個です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channelsが示す出力%1</translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation>サウンドサーバーがアクチュエーター用のポートを用意しません。</translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation>アクチュエーター%1を%2に接続できません。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation>サウンドサーバーがサンプルを要求しません。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation>サウンドサーバーは一度に%1サンプルを再生しています。</translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation>デバイスファイルのperiod_frames = %1、または一度に%2サンプルを再生するサーバー</translation>
+    </message>
+</context>
+<context>
     <name>JogTargetText</name>
     <message>
         <source>%1 has no arm, or several</source>
@@ -5598,7 +5721,7 @@ Examples:
     <name>MarkersText</name>
     <message>
         <source>the camera has stopped sending frames</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">カメラからフレームが届かなくなりました</translation>
     </message>
 </context>
 <context>
@@ -7351,27 +7474,27 @@ x %4, y %5
     </message>
     <message>
         <source>Confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>確認</translation>
     </message>
     <message>
         <source>played by the callback of the sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>サウンドカードのコールバックが再生</translation>
     </message>
     <message>
         <source>Latency</source>
-        <translation type="unfinished"></translation>
+        <translation>遅延</translation>
     </message>
     <message>
         <source>at most %1 ms, as stated, not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>最大%1 ms (申告値、測定値ではありません)</translation>
     </message>
     <message>
         <source>Callback</source>
-        <translation type="unfinished"></translation>
+        <translation>コールバック</translation>
     </message>
     <message>
         <source>%1 % of a period, longest %2 %, %3 missed</source>
-        <translation type="unfinished"></translation>
+        <translation>周期の%1 %、最長%2 %、逃した周期%3</translation>
     </message>
 </context>
 <context>
@@ -9926,230 +10049,117 @@ Run teleta-site --help for more.
     <name>SoundBracelet</name>
     <message>
         <source>The sound card asks for no samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Other programs can play on %1 as well.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card takes none of the known formats.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card does not play %1 samples a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another sample_rate_Hz in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>The sound card has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>an output %1, as channels says</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card does not take %1 samples at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another period_frames in the device file</source>
-        <translation type="unfinished"></translation>
+        <translation>サウンドカードがサンプルを要求しません。</translation>
     </message>
     <message>
         <source>There is no JACK library: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>JACKライブラリがありません: %1</translation>
     </message>
     <message>
         <source>the package pipewire-jack, or libjack-jackd2-0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished">なし</translation>
-    </message>
-    <message>
-        <source>PipeWire does not run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The JACK server does not run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server plays %1 samples a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sample_rate_Hz = %1 in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program plays on %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it to be disconnected, or shared = true in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server does not start the connection.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are several sound cards: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the name of one of them in device</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no sound card.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no sound output &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one of: %1</source>
-        <translation type="unfinished">次のいずれか: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>&quot;%1&quot; has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The sound server gives no port for a tactor.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tactor %1 cannot be connected to %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server asks for no samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server plays %1 samples at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Samples came too late while a tactor was driven.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server ended.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card is gone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server changed its sample rate.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server changed its period.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A tactor was disconnected from its output.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program began to play on the sound card.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server asks for no more samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>パッケージpipewire-jackまたはlibjack-jackd2-0</translation>
     </message>
 </context>
 <context>
-    <name>SoundBraceletFile</name>
+    <name>SoundFaultText</name>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation>アクチュエーターの駆動中にサンプルが遅れました。</translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation>サウンドサーバーが終了しました。</translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation>サウンドカードがなくなりました。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation>サウンドサーバーのサンプルレートが変わりました。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation>サウンドサーバーの周期が変わりました。</translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation>アクチュエーターが出力から切断されました。</translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation>ほかのプログラムがサウンドカードで再生を始めました。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation>サウンドサーバーがサンプルを要求しなくなりました。</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFileText</name>
     <message>
         <source>&quot;%1&quot; names no sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」はサウンドカードの名前ではありません</translation>
     </message>
     <message>
         <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
-        <translation type="unfinished"></translation>
+        <translation>pipewire、pipewire:NODE、jack、jack:CLIENT、alsa:PCMのいずれか</translation>
     </message>
     <message>
         <source>no such sample rate: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>そのようなサンプルレートはありません: %1</translation>
     </message>
     <message>
         <source>one of: %1</source>
-        <translation type="unfinished">次のいずれか: %1</translation>
+        <translation>次のいずれか: %1</translation>
     </message>
     <message>
         <source>%1 is no power of two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1は2の累乗ではありません</translation>
     </message>
     <message>
         <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
-        <translation type="unfinished">1または2048 {16, 32, 64, 128, 256, 512, 1024 ?}</translation>
+        <translation>16、32、64、128、256、512、1024、2048のいずれか</translation>
     </message>
     <message>
         <source>each tactor needs an output of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>アクチュエーターごとに別の出力が必要です</translation>
     </message>
     <message>
         <source>six different whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>互いに異なる6個の整数</translation>
     </message>
     <message>
         <source>%1 carriers for six tactors</source>
-        <translation type="unfinished"></translation>
+        <translation>6個のアクチュエーターに対して搬送波が%1個</translation>
     </message>
     <message>
         <source>one number, or a list of six</source>
-        <translation type="unfinished"></translation>
+        <translation>1つの数値、または6個のリスト</translation>
     </message>
     <message>
         <source>the frequency is not clear</source>
-        <translation type="unfinished"></translation>
+        <translation>周波数がはっきりしません</translation>
     </message>
     <message>
         <source>either carrier_Hz or level_Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>carrier_Hzかlevel_Hzのどちらか</translation>
     </message>
     <message>
         <source>the levels do not rise</source>
-        <translation type="unfinished">レベルが昇順になっていません</translation>
+        <translation>レベルが昇順ではありません</translation>
     </message>
     <message>
         <source>five frequencies, the lowest first</source>
-        <translation type="unfinished"></translation>
+        <translation>低い順に5個の周波数</translation>
     </message>
     <message>
         <source>the ramp is too short for the frequency: it would click</source>
-        <translation type="unfinished"></translation>
+        <translation>ランプが周波数に対して短すぎます: クリックが生じます</translation>
     </message>
     <message>
         <source>at least %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms以上</translation>
     </message>
 </context>
 <context>
@@ -16995,7 +17005,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>Modbusモータードライバーのレジスター、USBブレスレットのID、またはサウンドカードの出力を記述したファイル</translation>
     </message>
 </context>
 <context>

@@ -286,15 +286,53 @@
     <name>AlsaText</name>
     <message>
         <source>Another program plays on %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个程序正在 %1 上播放。</translation>
     </message>
     <message>
         <source>it to be closed there first</source>
-        <translation type="unfinished">先在该程序中将其关闭</translation>
+        <translation>请先在那里将其关闭</translation>
     </message>
     <message>
         <source>The sound card %1 cannot be opened: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开声卡 %1：%2</translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation>其他程序也可以在 %1 上播放。</translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation>声卡本身，如 alsa:hw:CARD=NAME，或设备文件中的 shared = true</translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation>声卡不接受任何已知格式。</translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation>声卡不支持每秒 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation>设备文件中的其他 sample_rate_Hz</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>声卡有 %n 个输出。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channels 所写的输出 %1</translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation>声卡不支持一次 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation>设备文件中的其他 period_frames</translation>
     </message>
 </context>
 <context>
@@ -989,19 +1027,19 @@
     </message>
     <message>
         <source>confirmed: played by the callback of the sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>已确认：由声卡的回调播放</translation>
     </message>
     <message>
         <source>latency at most %1 ms, as stated, not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>延迟至多 %1 ms，为声明值，未经测量</translation>
     </message>
     <message>
         <source>callback takes %1 % of a period, longest %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>回调占周期的 %1 %，最长 %2 %</translation>
     </message>
     <message>
         <source>periods missed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>错过的周期：%1</translation>
     </message>
 </context>
 <context>
@@ -3424,7 +3462,7 @@ Examples:
     </message>
     <message>
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot; 或 &quot;sound_bracelet&quot;</translation>
     </message>
     <message>
         <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
@@ -4837,6 +4875,91 @@ Examples:
     </message>
 </context>
 <context>
+    <name>JackText</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation>PipeWire 未运行。</translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation>JACK 服务器未运行。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation>声音服务器每秒播放 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation>设备文件中的 sample_rate_Hz = %1</translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>另一个程序正在 %1 上播放。</translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation>断开该程序，或在设备文件中写 shared = true</translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation>声音服务器未启动连接。</translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation>有多个声卡：%1。</translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation>在 device 中写明其中一个的名称</translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation>没有声卡。</translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation>没有声音输出“%1”。</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>“%1”有 %n 个输出。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channels 所写的输出 %1</translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation>声音服务器没有为致动器提供端口。</translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation>无法将致动器 %1 连接到 %2。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation>声音服务器不请求采样。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation>声音服务器一次播放 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation>设备文件中的 period_frames = %1，或一次播放 %2 个采样的服务器</translation>
+    </message>
+</context>
+<context>
     <name>JogTargetText</name>
     <message>
         <source>%1 has no arm, or several</source>
@@ -5598,7 +5721,7 @@ Examples:
     <name>MarkersText</name>
     <message>
         <source>the camera has stopped sending frames</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">相机不再提供帧</translation>
     </message>
 </context>
 <context>
@@ -7351,27 +7474,27 @@ x %4，y %5
     </message>
     <message>
         <source>Confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>已确认</translation>
     </message>
     <message>
         <source>played by the callback of the sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>由声卡的回调播放</translation>
     </message>
     <message>
         <source>Latency</source>
-        <translation type="unfinished"></translation>
+        <translation>延迟</translation>
     </message>
     <message>
         <source>at most %1 ms, as stated, not measured</source>
-        <translation type="unfinished"></translation>
+        <translation>至多 %1 ms，为声明值，未经测量</translation>
     </message>
     <message>
         <source>Callback</source>
-        <translation type="unfinished"></translation>
+        <translation>回调</translation>
     </message>
     <message>
         <source>%1 % of a period, longest %2 %, %3 missed</source>
-        <translation type="unfinished"></translation>
+        <translation>周期的 %1 %，最长 %2 %，错过 %3 个</translation>
     </message>
 </context>
 <context>
@@ -9926,230 +10049,117 @@ Run teleta-site --help for more.
     <name>SoundBracelet</name>
     <message>
         <source>The sound card asks for no samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Other programs can play on %1 as well.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card takes none of the known formats.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card does not play %1 samples a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another sample_rate_Hz in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>The sound card has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>an output %1, as channels says</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card does not take %1 samples at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another period_frames in the device file</source>
-        <translation type="unfinished"></translation>
+        <translation>声卡不请求采样。</translation>
     </message>
     <message>
         <source>There is no JACK library: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有 JACK 库：%1</translation>
     </message>
     <message>
         <source>the package pipewire-jack, or libjack-jackd2-0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished">无</translation>
-    </message>
-    <message>
-        <source>PipeWire does not run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The JACK server does not run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server plays %1 samples a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sample_rate_Hz = %1 in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program plays on %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it to be disconnected, or shared = true in the device file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server does not start the connection.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are several sound cards: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the name of one of them in device</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no sound card.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is no sound output &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one of: %1</source>
-        <translation type="unfinished">以下之一：%1</translation>
-    </message>
-    <message numerus="yes">
-        <source>&quot;%1&quot; has %n output(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The sound server gives no port for a tactor.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tactor %1 cannot be connected to %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server asks for no samples.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server plays %1 samples at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Samples came too late while a tactor was driven.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server ended.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound card is gone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server changed its sample rate.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server changed its period.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A tactor was disconnected from its output.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another program began to play on the sound card.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sound server asks for no more samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>软件包 pipewire-jack 或 libjack-jackd2-0</translation>
     </message>
 </context>
 <context>
-    <name>SoundBraceletFile</name>
+    <name>SoundFaultText</name>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation>驱动致动器时采样到达过晚。</translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation>声音服务器已结束。</translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation>声卡已消失。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation>声音服务器更改了采样率。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation>声音服务器更改了周期。</translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation>有致动器与其输出断开。</translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation>另一个程序开始在声卡上播放。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation>声音服务器不再请求采样。</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFileText</name>
     <message>
         <source>&quot;%1&quot; names no sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是声卡的名称</translation>
     </message>
     <message>
         <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
-        <translation type="unfinished"></translation>
+        <translation>pipewire、pipewire:NODE、jack、jack:CLIENT 或 alsa:PCM</translation>
     </message>
     <message>
         <source>no such sample rate: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有这样的采样率：%1</translation>
     </message>
     <message>
         <source>one of: %1</source>
-        <translation type="unfinished">以下之一：%1</translation>
+        <translation>以下之一：%1</translation>
     </message>
     <message>
         <source>%1 is no power of two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是 2 的幂</translation>
     </message>
     <message>
         <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
-        <translation type="unfinished">1 或 2048 {16, 32, 64, 128, 256, 512, 1024 ?}</translation>
+        <translation>16、32、64、128、256、512、1024 或 2048</translation>
     </message>
     <message>
         <source>each tactor needs an output of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>每个致动器都需要自己的输出</translation>
     </message>
     <message>
         <source>six different whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>六个不同的整数</translation>
     </message>
     <message>
         <source>%1 carriers for six tactors</source>
-        <translation type="unfinished"></translation>
+        <translation>六个致动器有 %1 个载波</translation>
     </message>
     <message>
         <source>one number, or a list of six</source>
-        <translation type="unfinished"></translation>
+        <translation>一个数，或六个数的列表</translation>
     </message>
     <message>
         <source>the frequency is not clear</source>
-        <translation type="unfinished"></translation>
+        <translation>频率不明确</translation>
     </message>
     <message>
         <source>either carrier_Hz or level_Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>carrier_Hz 或 level_Hz 之一</translation>
     </message>
     <message>
         <source>the levels do not rise</source>
-        <translation type="unfinished">水平没有递增</translation>
+        <translation>各级别不是递增的</translation>
     </message>
     <message>
         <source>five frequencies, the lowest first</source>
-        <translation type="unfinished"></translation>
+        <translation>五个频率，最低的在前</translation>
     </message>
     <message>
         <source>the ramp is too short for the frequency: it would click</source>
-        <translation type="unfinished"></translation>
+        <translation>斜坡对该频率来说过短：会产生咔嗒声</translation>
     </message>
     <message>
         <source>at least %1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1 ms</translation>
     </message>
 </context>
 <context>
@@ -16995,7 +17005,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
-        <translation type="unfinished"></translation>
+        <translation>描述 Modbus 电机驱动器的寄存器、USB 手环的标识号或声卡输出的文件</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,7 @@ namespace teleta::sound {
 namespace {
 
 struct AlsaText {
-    Q_DECLARE_TR_FUNCTIONS(SoundBracelet)
+    Q_DECLARE_TR_FUNCTIONS(AlsaText)
 };
 
 constexpr unsigned kCardPeriods = 2;

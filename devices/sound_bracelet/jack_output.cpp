@@ -21,7 +21,7 @@ namespace teleta::sound {
 namespace {
 
 struct JackText {
-    Q_DECLARE_TR_FUNCTIONS(SoundBracelet)
+    Q_DECLARE_TR_FUNCTIONS(JackText)
 };
 
 constexpr const char* kClientName = "TeleTA bracelet";

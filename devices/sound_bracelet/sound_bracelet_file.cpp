@@ -21,7 +21,7 @@ using core::Need;
 using core::NumberRange;
 
 struct SoundFileText {
-    Q_DECLARE_TR_FUNCTIONS(SoundBraceletFile)
+    Q_DECLARE_TR_FUNCTIONS(SoundFileText)
 };
 
 constexpr std::array<std::uint32_t, 3> kRates_Hz{44'100, 48'000, 96'000};

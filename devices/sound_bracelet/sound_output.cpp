@@ -10,8 +10,8 @@ namespace teleta::sound {
 
 namespace {
 
-struct FaultText {
-    Q_DECLARE_TR_FUNCTIONS(SoundBracelet)
+struct SoundFaultText {
+    Q_DECLARE_TR_FUNCTIONS(SoundFaultText)
 };
 
 QString textOf(SoundFault fault) {
@@ -19,21 +19,21 @@ QString textOf(SoundFault fault) {
     case SoundFault::none:
         break;
     case SoundFault::missedPeriod:
-        return FaultText::tr("Samples came too late while a tactor was driven.");
+        return SoundFaultText::tr("Samples came too late while a tactor was driven.");
     case SoundFault::serverGone:
-        return FaultText::tr("The sound server ended.");
+        return SoundFaultText::tr("The sound server ended.");
     case SoundFault::deviceGone:
-        return FaultText::tr("The sound card is gone.");
+        return SoundFaultText::tr("The sound card is gone.");
     case SoundFault::rateChanged:
-        return FaultText::tr("The sound server changed its sample rate.");
+        return SoundFaultText::tr("The sound server changed its sample rate.");
     case SoundFault::periodChanged:
-        return FaultText::tr("The sound server changed its period.");
+        return SoundFaultText::tr("The sound server changed its period.");
     case SoundFault::disconnected:
-        return FaultText::tr("A tactor was disconnected from its output.");
+        return SoundFaultText::tr("A tactor was disconnected from its output.");
     case SoundFault::sharedWithOthers:
-        return FaultText::tr("Another program began to play on the sound card.");
+        return SoundFaultText::tr("Another program began to play on the sound card.");
     case SoundFault::callbacksStopped:
-        return FaultText::tr("The sound server asks for no more samples.");
+        return SoundFaultText::tr("The sound server asks for no more samples.");
     }
     return {};
 }
