@@ -81,8 +81,10 @@ int MonitorRecorder::process(std::uint32_t frames, void* self) {
     }
     recorder.m_count.store(at + kept, std::memory_order_release);
     std::int64_t never = 0;
-    if (silent < frames)
+    if (silent < frames) {
+        recorder.m_heardAny.store(true);
         recorder.m_heard_ns.compare_exchange_strong(never, now_ns, std::memory_order_acq_rel);
+    }
     recorder.m_silent.store(silent < frames ? silent : recorder.m_silent.load() + frames,
                             std::memory_order_release);
     return 0;

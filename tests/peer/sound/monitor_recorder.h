@@ -33,7 +33,7 @@ public:
     /// Samples since the newest one, on any channel, that was not 0; all when none was.
     [[nodiscard]] std::size_t silentFor() const { return m_silent.load(std::memory_order_acquire); }
     /// Whether there was sound within the newest 1024 samples.
-    [[nodiscard]] bool hears() const { return silentFor() < 1024; }
+    [[nodiscard]] bool hears() const { return m_heardAny.load() && silentFor() < 1024; }
     /// Steady time of the first callback since arm() with a sample other than 0; 0: none yet.
     void arm() { m_heard_ns.store(0, std::memory_order_release); }
     [[nodiscard]] std::int64_t heard_ns() const { return m_heard_ns.load(std::memory_order_acquire); }
@@ -51,6 +51,7 @@ private:
     std::atomic<std::size_t> m_steady{0}; ///< callbacks with this period in a row
     std::atomic<std::size_t> m_count{0};
     std::atomic<std::size_t> m_silent{0};
+    std::atomic<bool> m_heardAny{false};
     std::atomic<std::int64_t> m_heard_ns{0};
     std::atomic<std::uint64_t> m_missed{0};
 };

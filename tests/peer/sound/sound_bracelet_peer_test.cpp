@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -198,6 +199,23 @@ TEST_F(SoundBraceletPeer, leavesSilenceWhenTheProgramIsKilled) {
     ASSERT_TRUE(open(fileOf("pipewire:tactors")));
     ASSERT_TRUE(drive(kSome, 10));
     EXPECT_TRUE(m_recorder.hears());
+}
+
+TEST_F(SoundBraceletPeer, isSilentWhileTheProgramIsSuspendedAndAfterwards) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write(
+        "coils.toml",
+        "kind = 'sound_bracelet'\nname = 'x'\ndevice = 'pipewire:tactors'\nchannels = [1, 2, 3, 4, 5, 6]\n");
+    ASSERT_TRUE(record());
+    test::PeerProcess player;
+    player.start(QStringLiteral(TELETA_PLAY_UNTIL_KILLED), {QString::fromStdString(path)});
+    ASSERT_TRUE(eventually([this] { return m_recorder.hears(); })) << player.errors();
+    const auto process = static_cast<pid_t>(player.processId());
+    ::kill(process, SIGSTOP);
+    EXPECT_TRUE(eventually([this] { return m_recorder.silentFor() > 24'000; }));
+    ::kill(process, SIGCONT);
+    const std::size_t before = m_recorder.silentFor();
+    EXPECT_TRUE(eventually([&] { return m_recorder.silentFor() > before + 24'000; })) << "nothing resumes";
 }
 
 TEST_F(SoundBraceletPeer, isLostWithTheServerAndComesBackSilent) {
