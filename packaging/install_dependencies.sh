@@ -38,6 +38,8 @@ build_packages=(
     libopencv-dev
     # motor drivers and joints over Modbus
     libmodbus-dev
+    # the bracelet on a sound card; libjack is loaded at run time
+    libasound2-dev
     # descriptions of robots
     liburdfdom-dev
     # robots over ROS 2
@@ -59,6 +61,8 @@ test_packages=(clang-format clang-tidy desktop-file-utils appstream shared-mime-
 test_packages+=(postgresql python3-html5lib poppler-utils locales zsh)
 # Independent servers and serial lines, as peers of the devices.
 test_packages+=(python3-pymodbus python3-serial-asyncio python3-dbusmock dbus socat qemu-system-x86 busybox-static cpio)
+# Sound servers without a card, for the bracelet on a sound card.
+test_packages+=(pipewire pipewire-bin wireplumber pipewire-jack pipewire-alsa jackd2)
 # The simulator with which kinematics are compared.
 test_packages+=(libmujoco-dev)
 # The other DDS of a robot on ROS 2.

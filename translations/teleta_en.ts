@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AlsaText</name>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>The sound card has %n output.</numerusform>
+            <numerusform>The sound card has %n outputs.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ArmCommand</name>
     <message numerus="yes">
         <source>%1: %n joint(s) from %2 to %3</source>
@@ -140,6 +150,16 @@
         <translation>
             <numerusform>%n damaged record left out</numerusform>
             <numerusform>%n damaged records left out</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>JackText</name>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>&quot;%1&quot; has %n output.</numerusform>
+            <numerusform>&quot;%1&quot; has %n outputs.</numerusform>
         </translation>
     </message>
 </context>

@@ -17,6 +17,7 @@ find_path(TELETA_READERWRITERQUEUE readerwriterqueue/readerwritercircularbuffer.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
 pkg_check_modules(LIBMODBUS REQUIRED IMPORTED_TARGET libmodbus)
+pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 pkg_check_modules(CYCLONEDDS REQUIRED IMPORTED_TARGET CycloneDDS>=0.10)
 find_program(TELETA_IDLC idlc REQUIRED)

@@ -5,6 +5,7 @@
 #include "devices/modbus/register_map.h"
 #include "devices/mouse3d/mouse3d_reports.h"
 #include "devices/ros/ros_arm_file.h"
+#include "devices/sound_bracelet/sound_bracelet_file.h"
 #include "devices/taxels/frames/frame_decoder.h"
 #include "devices/taxels/taxels_file.h"
 #include "devices/wts/wts_codec.h"
@@ -225,6 +226,24 @@ bool hidBraceletFile(Bytes bytes) {
     }
     require(!file->name.empty() && file->config.vendorId > 0 && file->config.productId > 0,
             "a bracelet has a name and ids");
+    return true;
+}
+
+bool soundBraceletFile(Bytes bytes) {
+    const core::Expected<sound::SoundBraceletFile> file = sound::parseSoundBracelet(textOf(bytes), kInput);
+    if (!file) {
+        requireExplained(file.error());
+        return false;
+    }
+    require(!file->name.empty() && file->period_s() > 0.0, "a bracelet has a name and a period");
+    for (std::size_t i = 0; i < file->tones.size(); ++i) {
+        const sound::ToneSettings& tone = file->tones[i];
+        require(file->channels[i] >= 1 && std::ranges::count(file->channels, file->channels[i]) == 1,
+                "each tactor has an output of its own");
+        require(tone.fullScale > 0.0 && tone.fullScale <= 0.9 && tone.gain >= 0.0 && tone.gain <= 1.0,
+                "a sample is never too large");
+        require(tone.ramp_s >= tone.shortestRamp_s() - 1e-9, "a ramp does not click");
+    }
     return true;
 }
 

@@ -51,6 +51,7 @@ const std::map<std::string, Target>& targets() {
         {"site_governance", siteGovernance},
         {"site_permissions", sitePermissions},
         {"site_streams", siteStreams},
+        {"sound_bracelet_file", soundBraceletFile},
         {"study_protocol", studyProtocol},
         {"study_scene", studyScene},
         {"taxel_stream", taxelStream},

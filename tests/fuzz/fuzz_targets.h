@@ -57,6 +57,7 @@ bool cameraJson(Bytes bytes);
 bool motorProfile(Bytes bytes);
 bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
+bool soundBraceletFile(Bytes bytes);
 bool rosArmFile(Bytes bytes);
 bool rosSensorFile(Bytes bytes); ///< of a force sensor or an array
 bool taxelsFile(Bytes bytes);

@@ -51,7 +51,8 @@ void BraceletMenu::fill(QMenu& menu) {
         add(tr("File: %1", "a device file").arg(QFileInfo(file).fileName()), BraceletChoice::file, file);
     QAction* open = menu.addAction(tr("&Device file\u2026"), this, &BraceletMenu::askForFile);
     open->setToolTip(
-        tr("A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet"));
+        tr("A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the "
+           "outputs of a sound card"));
     add(tr("&None"), BraceletChoice::none);
 }
 

@@ -18,8 +18,20 @@ struct BraceletTexts {
     Q_DECLARE_TR_FUNCTIONS(BraceletTexts)
 };
 
+/// What a sound card reports of itself: no board answers, and nobody watches the coils.
+QStringList soundDetails(const core::SoundReport& sound, double statedLatency_s) {
+    return {
+        BraceletTexts::tr("confirmed: played by the callback of the sound card"),
+        BraceletTexts::tr("latency at most %1 ms, as stated, not measured")
+            .arg(base::fixedDigits(1e3 * statedLatency_s, 1)),
+        BraceletTexts::tr("callback takes %1 % of a period, longest %2 %")
+            .arg(base::fixedDigits(1e2 * sound.meanShare, 1), base::fixedDigits(1e2 * sound.longestShare, 1)),
+        BraceletTexts::tr("periods missed: %1").arg(sound.missedPeriods)};
+}
+
 /// What its board reports, a line each.
-QStringList boardDetails(const core::BraceletTelemetry& telemetry) {
+QStringList boardDetails(const core::BraceletSource& bracelet) {
+    const core::BraceletTelemetry telemetry = bracelet.telemetry();
     QStringList lines;
     if (telemetry.board.tooHot)
         lines << BraceletTexts::tr("too hot: off until it has cooled down");
@@ -33,6 +45,8 @@ QStringList boardDetails(const core::BraceletTelemetry& telemetry) {
         lines << BraceletTexts::tr("temperature %1 \u00b0"
                                    "C")
                      .arg(base::fixedDigits(telemetry.board.temperature_degC, 1));
+    if (telemetry.board.sound)
+        lines << soundDetails(*telemetry.board.sound, bracelet.description().statedLatency_s);
     return lines;
 }
 
@@ -90,7 +104,7 @@ std::optional<chrome::DeviceReading> BraceletService::reading() const {
     if (reading.details.isEmpty()) {
         QStringList lines;
         if (status.framesRead > 0)
-            lines = boardDetails(session->source().telemetry());
+            lines = boardDetails(session->source());
         if (!calibration().measured())
             lines << BraceletTexts::tr("not calibrated: the motors are assumed");
         reading.details = lines.join(QLatin1Char('\n'));

@@ -36,6 +36,8 @@ struct BraceletDescription {
     double maximumRate_Hz = 200.0;            ///< frames a second that the board and its link can take
     std::uint16_t highestDrive = kFullDrive;  ///< the board's own limit
     std::uint16_t longestTimeout_ms = 10'000; ///< the board's own limit
+    /// From a frame to what it moves, as the device states it; nobody measured it. NaN: it states nothing.
+    double statedLatency_s = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// All tactors at one instant.
@@ -59,6 +61,14 @@ struct WriteResult {
     std::int64_t time_ns = 0; ///< steady time at which the write returned
 };
 
+/// What a sound card adds to a report, which has no board that could answer: the callback took the frame.
+struct SoundReport {
+    std::int64_t played_ns = 0;      ///< steady time at which the callback of its first sample began
+    double meanShare = 0.0;          ///< of a period that the callback takes, since the opening
+    double longestShare = 0.0;       ///< likewise, the longest
+    std::uint64_t missedPeriods = 0; ///< that the card did not get in time, since the opening
+};
+
 /// What the board reports in answer to a frame.
 struct BoardReport {
     std::uint16_t sequence = 0; ///< of the frame that it answers
@@ -69,6 +79,7 @@ struct BoardReport {
     bool frameRefused = false; ///< the frame that it answers was not understood
     double supply_V = std::numeric_limits<double>::quiet_NaN();         ///< NaN: not reported
     double temperature_degC = std::numeric_limits<double>::quiet_NaN(); ///< likewise
+    std::optional<SoundReport> sound{};                                 ///< of a sound card
 };
 
 struct BraceletTelemetry {

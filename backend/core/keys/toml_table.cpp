@@ -230,6 +230,9 @@ std::vector<double> TomlTable::numberList(std::string_view key, const NumberRang
     const toml::node* node = m_data->find(key, true);
     if (node == nullptr)
         return {};
+    // Where a list may have one number or several, one may stand without brackets.
+    if (node->is_number() && count.low == 1 && count.high > 1)
+        return {m_data->number(key, *node, range)};
     const toml::array* array = node->as_array();
     if (array == nullptr || !count.accepts(static_cast<long long>(array->size()))) {
         m_data->wrongType(key, *node, QString::fromStdString(listText(range, count)));

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs test programs in a small virtual machine that has the kernel's HID stack, a camera, or both. See README.md.
-#   run_in_vm.sh [--camera|--console] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]
+# Runs test programs in a small virtual machine that has the kernel's HID stack, a camera, or both, or a sound card. See README.md.
+#   run_in_vm.sh [--camera|--console|--sound] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]
 set -euo pipefail
 here=$(cd "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 modules=(hid hid-generic uhid evdev)
@@ -9,13 +9,15 @@ share_usr=
 case ${1:-} in
     --camera) modules=() share_usr=1 ;;
     --console) share_usr=1 ;;
+    --sound) modules=(snd-aloop) share_usr=1 ;;
 esac
 if [[ -n $share_usr ]]; then
-    modules+=(virtio_pci 9pnet_virtio 9p vivid)
+    modules+=(virtio_pci 9pnet_virtio 9p)
+    [[ $1 == --sound ]] || modules+=(vivid)
     shift
 fi
 # One camera and nothing else of what the driver can play.
-declare -A parameters=([vivid]='n_devs=1 node_types=0x1 num_inputs=1 input_types=0')
+declare -A parameters=([vivid]='n_devs=1 node_types=0x1 num_inputs=1 input_types=0' [snd-aloop]='pcm_substreams=1')
 skipped=77
 
 skip() {
@@ -24,7 +26,7 @@ skip() {
 }
 
 if (($# < 2)) || [[ $2 == -- ]]; then
-    printf 'usage: run_in_vm.sh [--camera|--console] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]\n' >&2
+    printf 'usage: run_in_vm.sh [--camera|--console|--sound] CACHE_FOLDER TEST_PROGRAM... [-- FILES...]\n' >&2
     exit 2
 fi
 mkdir -p "$1"

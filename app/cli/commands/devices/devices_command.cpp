@@ -18,6 +18,7 @@
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_probe.h"
 #include "devices/mouse3d/hid_input.h"
+#include "devices/sound_bracelet/sound_bracelet.h"
 #include "devices/taxels/magnetometers_file.h"
 #include "devices/taxels/taxels_file.h"
 #include "devices/taxels/taxels_probe.h"
@@ -52,7 +53,8 @@ struct DeviceValue {
 
 /// A device that was found, or one that was looked for and not found.
 struct FoundDevice {
-    std::string kind; ///< hid_bracelet, mouse3d, modbus, wts, camera, or of a taxels::isArrayKind()
+    /// hid_bracelet, sound_bracelet, mouse3d, modbus, wts, camera, or of a taxels::isArrayKind()
+    std::string kind;
     std::string name;
     std::string where;                    ///< path or address
     std::optional<core::Error> error{};   ///< why it cannot be used; nothing: it is connected
@@ -127,6 +129,39 @@ core::Expected<FoundDevice> probeBracelet(const std::string& path) {
         }
     }
     open(found, file.config);
+    return found;
+}
+
+/// Opens the card and plays silence for a moment.
+core::Expected<FoundDevice> probeSound(const std::string& path) {
+    constexpr std::chrono::milliseconds kLook{50};
+    constexpr int kLooks = 20;
+    TELETA_TRY(const auto file, sound::readSoundBracelet(path));
+    FoundDevice found{.kind = "sound_bracelet", .name = file.name, .where = file.device};
+    const core::StopSwitch stopSwitch;
+    const auto opened = sound::openSoundBracelet(file, stopSwitch);
+    found.error = errorOf(opened);
+    if (!opened)
+        return found;
+    core::BraceletSource& bracelet = **opened;
+    const core::BraceletDescription& description = bracelet.description();
+    found.where = description.model;
+    found.frameRate_Hz = description.maximumRate_Hz;
+    core::Wakeup wakeup;
+    bracelet.start(wakeup);
+    for (int i = 0; i < kLooks && !interrupted(); ++i)
+        (void)wakeup.waitFor(kLook);
+    const core::DeviceStatus status = bracelet.status();
+    if (bracelet.connection() == 0)
+        found.error = core::Error{core::ErrorKind::unavailable, status.message, {}, {found.where}};
+    found.values = {{"sample_rate", static_cast<double>(file.sampleRate_Hz), "Hz"},
+                    {"period", file.period_s(), "s"},
+                    {"stated_latency", description.statedLatency_s, "s"}};
+    if (const auto& sound = bracelet.telemetry().board.sound) {
+        found.values.push_back({"callback_share", sound->meanShare, "1"});
+        found.values.push_back({"missed_periods", static_cast<double>(sound->missedPeriods), "1"});
+    }
+    bracelet.stop();
     return found;
 }
 
@@ -229,8 +264,8 @@ core::Expected<FoundDevice> probeStream(const std::string& path, const std::stri
 core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes) {
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     core::TomlTable root = document.root();
-    const std::size_t kind =
-        root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet", "taxels", "magnetometers", "xela"});
+    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet", "taxels",
+                                                  "magnetometers", "xela", "sound_bracelet"});
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     // Without a kind the other keys say nothing either.
@@ -239,13 +274,15 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
         return core::failed(
             core::ErrorKind::badInput, DevicesText::tr("\"kind\" is missing"),
             DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\", \"hid_bracelet\", \"taxels\", "
-                            "\"magnetometers\" or \"xela\""),
+                            "\"magnetometers\", \"xela\" or \"sound_bracelet\""),
             {path, 1, 1});
     }
     if (kind == 0)
         return probeRegisters(path);
     if (kind == 3)
         return probeBracelet(path);
+    if (kind == 7)
+        return probeSound(path);
     if (const std::string name = root.text("kind"); taxels::isArrayKind(name))
         return probeStream(path, name, bytes);
     return kind == 1 ? probeArray(document) : probeCamera(document);
@@ -275,7 +312,7 @@ bool isArray(const std::string& kind) {
 }
 
 QString kindName(const std::string& kind) {
-    if (kind == "hid_bracelet")
+    if (kind == "hid_bracelet" || kind == "sound_bracelet")
         return DevicesText::tr("Bracelet");
     if (kind == "mouse3d")
         return DevicesText::tr("3D mouse");

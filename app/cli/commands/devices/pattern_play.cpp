@@ -156,11 +156,32 @@ void postFor(playback::Player& player, double duration_s) {
     }
 }
 
+nlohmann::ordered_json toJson(const core::SoundReport& sound, double statedLatency_s) {
+    return {{"stated_latency_s", statedLatency_s},
+            {"callback_mean_share", sound.meanShare},
+            {"callback_longest_share", sound.longestShare},
+            {"missed_periods", sound.missedPeriods}};
+}
+
+/// What a sound card says of itself, whose coils nobody watches.
+void addFields(const core::SoundReport& sound, double statedLatency_s, Fields& fields) {
+    fields.emplace_back(PlayText::tr("Confirmed"), PlayText::tr("played by the callback of the sound card"));
+    fields.emplace_back(
+        PlayText::tr("Latency"),
+        PlayText::tr("at most %1 ms, as stated, not measured").arg(forPeople(1e3 * statedLatency_s, 3)));
+    fields.emplace_back(PlayText::tr("Callback"),
+                        PlayText::tr("%1 % of a period, longest %2 %, %3 missed")
+                            .arg(forPeople(1e2 * sound.meanShare, 2), forPeople(1e2 * sound.longestShare, 2))
+                            .arg(sound.missedPeriods));
+}
+
 core::Expected<void> print(const core::BraceletSource& bracelet, const playback::Player& player,
                            const Measured& program, const std::optional<Measured>& live, bool json) {
     const Quantiles lateness = quantilesOf(program.timings.lateness);
     const Quantiles write = quantilesOf(program.timings.write);
     const Quantiles latency = live ? quantilesOf(live->timings.latency) : Quantiles{};
+    const std::optional<core::SoundReport> sound = bracelet.telemetry().board.sound;
+    const double statedLatency_s = bracelet.description().statedLatency_s;
     if (json) {
         nlohmann::ordered_json document{{"bracelet", bracelet.description().name},
                                         {"simulated", bracelet.description().simulated},
@@ -177,6 +198,8 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
                                 {"frames", live->counters.framesWritten},
                                 {"deadline_misses", live->counters.deadlineMisses},
                                 {"snapshot_to_frame", toJson(latency)}};
+        if (sound)
+            document["sound"] = toJson(*sound, statedLatency_s);
         return printDocument(document);
     }
     Fields fields{
@@ -194,6 +217,8 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
         fields.emplace_back(PlayText::tr("Misses meanwhile"), QString::number(live->counters.deadlineMisses));
         fields.emplace_back(PlayText::tr("Snapshot to frame"), forPeopleUs(latency));
     }
+    if (sound)
+        addFields(*sound, statedLatency_s, fields);
     return printFields(fields);
 }
 

@@ -11,6 +11,7 @@
 #include "backend/vision/gel/marker_gel_file.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/register_map.h"
+#include "devices/sound_bracelet/sound_bracelet_file.h"
 #include "devices/taxels/magnetometers_file.h"
 #include "devices/taxels/taxels_file.h"
 #include "devices/taxels/xela_file.h"
@@ -43,6 +44,7 @@ enum Section {
     devices,
     modbusDevice,
     braceletDevice,
+    soundDevice,
     arrayDevice,
     cameraDevice,
     gelDevice,
@@ -96,6 +98,7 @@ const std::vector<PageWords>& pages() {
           "Devices",
           "Modbus device",
           "Bracelet over USB",
+          "Voice coils on a sound card",
           "Weiss array",
           "Camera",
           "Flat gel with markers",
@@ -147,6 +150,7 @@ const std::vector<PageWords>& pages() {
           "Appareils",
           "Appareil Modbus",
           "Bracelet USB",
+          "Bobines sur une carte son",
           "Réseau Weiss",
           "Caméra",
           "Gel plat à marqueurs",
@@ -196,6 +200,7 @@ const std::vector<PageWords>& pages() {
           "機器",
           "Modbus 機器",
           "USB ブレスレット",
+          "サウンドカード上のボイスコイル",
           "Weiss アレイ",
           "カメラ",
           "マーカー付きの平らなゲル",
@@ -243,6 +248,7 @@ const std::vector<PageWords>& pages() {
           "设备",
           "Modbus 设备",
           "USB 手环",
+          "声卡上的音圈",
           "Weiss 阵列",
           "摄像头",
           "带标记的平面凝胶",
@@ -329,6 +335,7 @@ QByteArray pageOf(const PageWords& words) {
     page.head(2, devices);
     page.part(3, modbusDevice, describeFile<modbus::RegisterMap>);
     page.part(3, braceletDevice, describeFile<bracelet::HidBraceletFile>);
+    page.part(3, soundDevice, describeFile<sound::SoundBraceletFile>);
     page.part(3, arrayDevice, describeFile<cli::ArrayFile>);
     page.part(3, cameraDevice, describeFile<cli::CameraFile>);
     page.part(3, gelDevice, describeFile<vision::MarkerGelFile>);
