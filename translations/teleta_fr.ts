@@ -283,6 +283,60 @@
     </message>
 </context>
 <context>
+    <name>AlsaText</name>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>Un autre programme joue sur %1.</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation>qu’il y soit d’abord fermé</translation>
+    </message>
+    <message>
+        <source>The sound card %1 cannot be opened: %2</source>
+        <translation>La carte son %1 ne peut pas être ouverte&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation>D’autres programmes peuvent jouer aussi sur %1.</translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation>la carte elle-même, comme alsa:hw:CARD=NAME, ou shared = true dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation>La carte son n’accepte aucun des formats connus.</translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation>La carte son ne joue pas %1 échantillons par seconde.</translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation>un autre sample_rate_Hz dans le fichier d’appareil</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>La carte son a %n sortie.</numerusform>
+            <numerusform>La carte son a %n sorties.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>une sortie %1, comme l’indique channels</translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation>La carte son n’accepte pas %1 échantillons à la fois.</translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation>un autre period_frames dans le fichier d’appareil</translation>
+    </message>
+</context>
+<context>
     <name>ArmChainText</name>
     <message>
         <source>interrupted</source>
@@ -329,8 +383,20 @@
         <translation>le fichier exige&#xa0;%1, qui n’est pas surveillé d’ici</translation>
     </message>
     <message>
-        <source>force_stop_N needs a force sensor at the wrist, which is not read when the arm is driven directly</source>
-        <translation>force_stop_N demande une force au poignet, qui n’est pas lue d’ici</translation>
+        <source>MoveIt Servo compares stamps with the robot&apos;s clock, so only teleta-site sends commands to it</source>
+        <translation>MoveIt Servo compare les horodatages avec l’horloge du robot&#xa0;: seul teleta-site lui envoie des commandes</translation>
+    </message>
+    <message>
+        <source>force_stop_N needs a force sensor: wrench = &quot;FILE&quot; names the file of one</source>
+        <translation>force_stop_N a besoin d’un capteur de force&#xa0;: wrench = &quot;FICHIER&quot; nomme le fichier du capteur</translation>
+    </message>
+    <message>
+        <source>the force sensor is in the frame %1, which the description does not have</source>
+        <translation>le capteur de force est dans le repère %1, que la description n’a pas</translation>
+    </message>
+    <message>
+        <source>the force sensor must be in the domain of the arm, over the same interface</source>
+        <translation>le capteur de force doit être dans le domaine du bras, par la même interface</translation>
     </message>
 </context>
 <context>
@@ -685,6 +751,17 @@
     </message>
 </context>
 <context>
+    <name>ArrayMessageText</name>
+    <message>
+        <source>a message has %1 numbers, the file has %2 x %3 taxels</source>
+        <translation>un message a %1 nombres, le fichier a %2 x %3 taxels</translation>
+    </message>
+    <message>
+        <source>a message has %1 x %2 numbers, the file has %3 x %4 taxels</source>
+        <translation>un message a %1 x %2 nombres, le fichier a %3 x %4 taxels</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -973,6 +1050,22 @@
     <message>
         <source>not calibrated: the motors are assumed</source>
         <translation>non étalonnés&#xa0;: les moteurs sont supposés</translation>
+    </message>
+    <message>
+        <source>confirmed: played by the callback of the sound card</source>
+        <translation>confirmé&#xa0;: joué par la fonction de rappel de la carte son</translation>
+    </message>
+    <message>
+        <source>latency at most %1 ms, as stated, not measured</source>
+        <translation>latence d’au plus %1 ms, annoncée, non mesurée</translation>
+    </message>
+    <message>
+        <source>callback takes %1 % of a period, longest %2 %</source>
+        <translation>la fonction de rappel prend %1&#xa0;% d’une période, au plus %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>periods missed: %1</source>
+        <translation>périodes manquées&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -3487,12 +3580,12 @@ Exemples&#xa0;:
         <translation>ce qui en est venu ne contient aucune trame telle que le fichier la décrit</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
-        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; ou &quot;xela&quot;</translation>
-    </message>
-    <message>
         <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
         <translation>D’une matrice décrite&#xa0;: montrer au plus ce nombre des octets qu’elle envoie jusqu’à une seconde après sa première trame</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; ou &quot;sound_bracelet&quot;</translation>
     </message>
 </context>
 <context>
@@ -4026,6 +4119,17 @@ Exemples&#xa0;:
     <message>
         <source>a whole file</source>
         <translation>un fichier entier</translation>
+    </message>
+</context>
+<context>
+    <name>FileKeysText</name>
+    <message>
+        <source>&quot;%1&quot; is not a topic name</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nom de topic</translation>
+    </message>
+    <message>
+        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>des parties de lettres, de chiffres et de _ après des barres obliques, par exemple /joint_states</translation>
     </message>
 </context>
 <context>
@@ -4908,6 +5012,92 @@ Exemples&#xa0;:
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
         <translation>interrompu&#xa0;; la sortie s’arrête à ce qui avait été calculé</translation>
+    </message>
+</context>
+<context>
+    <name>JackText</name>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation>PipeWire ne fonctionne pas.</translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation>Le serveur JACK ne fonctionne pas.</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation>Le serveur de son joue %1 échantillons par seconde.</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation>sample_rate_Hz = %1 dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>Un autre programme joue sur %1.</translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation>qu’il soit déconnecté, ou shared = true dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation>Le serveur de son n’établit pas la connexion.</translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation>Il y a plusieurs cartes son&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation>le nom de l’une d’elles dans device</translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation>Il n’y a pas de carte son.</translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation>Il n’y a pas de sortie de son « %1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>l’un de&#xa0;: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>« %1&#xa0;» a %n sortie.</numerusform>
+            <numerusform>« %1&#xa0;» a %n sorties.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>une sortie %1, comme l’indique channels</translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation>Le serveur de son ne donne pas de port pour un actionneur.</translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation>L’actionneur %1 ne peut pas être relié à %2.</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation>Le serveur de son ne demande pas d’échantillons.</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation>Le serveur de son joue %1 échantillons à la fois.</translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation>period_frames = %1 dans le fichier d’appareil, ou un serveur qui en joue %2 à la fois</translation>
     </message>
 </context>
 <context>
@@ -7443,6 +7633,30 @@ Aire %6</translation>
         <source>let it cool down first</source>
         <translation>laissez-le d’abord refroidir</translation>
     </message>
+    <message>
+        <source>Confirmed</source>
+        <translation>Confirmé</translation>
+    </message>
+    <message>
+        <source>played by the callback of the sound card</source>
+        <translation>joué par la fonction de rappel de la carte son</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latence</translation>
+    </message>
+    <message>
+        <source>at most %1 ms, as stated, not measured</source>
+        <translation>au plus %1 ms, annoncée, non mesurée</translation>
+    </message>
+    <message>
+        <source>Callback</source>
+        <translation>Fonction de rappel</translation>
+    </message>
+    <message>
+        <source>%1 % of a period, longest %2 %, %3 missed</source>
+        <translation>%1&#xa0;% d’une période, au plus %2&#xa0;%, %3 manquées</translation>
+    </message>
 </context>
 <context>
     <name>PlanContent</name>
@@ -8699,6 +8913,22 @@ Run %2 --help for more.
         <source>it was held; let go of the switch and press it again</source>
         <translation>il a été retenu ; relâchez l’interrupteur et appuyez de nouveau</translation>
     </message>
+    <message>
+        <source>%1 reports no force, so force_stop_N cannot work</source>
+        <translation>%1 ne donne pas de force, force_stop_N ne peut donc pas agir</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which the description does not have</source>
+        <translation>%1 donne une force dans le repère %2, que la description n’a pas</translation>
+    </message>
+    <message>
+        <source>%1, which the arm requires, is not live</source>
+        <translation>%1, qu’exige le bras, n’est pas actif</translation>
+    </message>
+    <message>
+        <source>the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4</source>
+        <translation>les horodatages de %1 ont %2&#xa0;s de retard sur cet ordinateur, MoveIt Servo admet de %3 à %4</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheck</name>
@@ -8786,6 +9016,26 @@ Run %2 --help for more.
         <source>the check was interrupted</source>
         <translation>la vérification a été interrompue</translation>
     </message>
+    <message>
+        <source>%1 reports no force</source>
+        <translation>%1 ne donne pas de force</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which the description does not have</source>
+        <translation>%1 donne une force dans le repère %2, que la description n’a pas</translation>
+    </message>
+    <message>
+        <source>%1 messages a second, longest gap %2 s, at most %3 N</source>
+        <translation>%1 messages par seconde, plus longue pause %2&#xa0;s, au plus %3&#xa0;N</translation>
+    </message>
+    <message>
+        <source>; timeout_s is %1</source>
+        <translation>&#xa0;; timeout_s vaut %1</translation>
+    </message>
+    <message>
+        <source>; force_stop_N is %1</source>
+        <translation>&#xa0;; force_stop_N vaut %1</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheckReport</name>
@@ -8823,14 +9073,6 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>&quot;%1&quot; is not a topic name</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas un nom de topic</translation>
-    </message>
-    <message>
-        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
-        <translation>des parties de lettres, de chiffres et de _ après des barres obliques, par exemple /joint_states</translation>
-    </message>
-    <message>
         <source>no available adapter moves an arm unguarded</source>
         <translation>aucun adaptateur proposé ne bouge un bras sans protection</translation>
     </message>
@@ -8861,6 +9103,79 @@ Run %2 --help for more.
     <message>
         <source>the efforts of this arm are not in Nm</source>
         <translation>les efforts de ce bras ne sont pas en Nm</translation>
+    </message>
+    <message>
+        <source>the file of a force sensor, kind = &quot;ros_wrench&quot;</source>
+        <translation>le fichier d’un capteur de force, kind = &quot;ros_wrench&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>RosArray</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no sensor named &quot;%2&quot;</source>
+        <translation>%1 n’a pas de capteur nommé «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>personne ne publie&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1 se tait</translation>
+    </message>
+</context>
+<context>
+    <name>RosArrayFile</name>
+    <message>
+        <source>only a TactileState has sensors with names</source>
+        <translation>seul un TactileState a des capteurs avec des noms</translation>
+    </message>
+    <message>
+        <source>with a factor of 0 every value is the same</source>
+        <translation>avec un facteur 0, toutes les valeurs sont égales</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>un autre nombre</translation>
+    </message>
+    <message>
+        <source>without a threshold it is not known which taxels are touched</source>
+        <translation>sans seuil, on ne sait pas quels taxels sont touchés</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = un nombre dans l’unité des valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>RosArrayMessage</name>
+    <message>
+        <source>a message has %1 bytes, its size says %2</source>
+        <translation>un message a %1 octets, sa taille en dit %2</translation>
+    </message>
+    <message>
+        <source>a message has %1 sensors</source>
+        <translation>un message a %1 capteurs</translation>
+    </message>
+    <message>
+        <source>sensor = &quot;NAME&quot; in the file</source>
+        <translation>sensor = &quot;NOM&quot; dans le fichier</translation>
+    </message>
+    <message>
+        <source>a message has %1 dimensions</source>
+        <translation>un message a %1 dimensions</translation>
+    </message>
+    <message>
+        <source>rows and columns</source>
+        <translation>lignes et colonnes</translation>
+    </message>
+    <message>
+        <source>a message has the encoding &quot;%1&quot;</source>
+        <translation>un message a le codage «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -8932,6 +9247,17 @@ Run %2 --help for more.
     <message>
         <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
         <translation>Fichier qui décrit le bras (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+</context>
+<context>
+    <name>RosWrenchFile</name>
+    <message>
+        <source>a sign of 0 hides every force</source>
+        <translation>un signe nul cache toute force</translation>
+    </message>
+    <message>
+        <source>1: it reports what acts on the arm; -1: what the arm exerts</source>
+        <translation>1&#xa0;: il donne ce qui agit sur le bras&#xa0;; -1&#xa0;: ce que le bras exerce</translation>
     </message>
 </context>
 <context>
@@ -9017,6 +9343,14 @@ Run %2 --help for more.
     <message>
         <source>interrupted</source>
         <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>%1 requires the device %2, which the site does not have</source>
+        <translation>%1 exige l’appareil %2, que le site n’a pas</translation>
+    </message>
+    <message>
+        <source>ids of the site&apos;s devices</source>
+        <translation>des id d’appareils du site</translation>
     </message>
 </context>
 <context>
@@ -9997,6 +10331,123 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>%1 refuses: %2</source>
         <translation>%1 refuse&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundBracelet</name>
+    <message>
+        <source>The sound card asks for no samples.</source>
+        <translation>La carte son ne demande pas d’échantillons.</translation>
+    </message>
+    <message>
+        <source>There is no JACK library: %1</source>
+        <translation>Il n’y a pas de bibliothèque JACK&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the package pipewire-jack, or libjack-jackd2-0</source>
+        <translation>le paquet pipewire-jack ou libjack-jackd2-0</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFaultText</name>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation>Des échantillons sont arrivés trop tard pendant qu’un actionneur vibrait.</translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation>Le serveur de son s’est arrêté.</translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation>La carte son a disparu.</translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation>Le serveur de son a changé sa fréquence d’échantillonnage.</translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation>Le serveur de son a changé sa période.</translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation>Un actionneur a été déconnecté de sa sortie.</translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation>Un autre programme s’est mis à jouer sur la carte son.</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation>Le serveur de son ne demande plus d’échantillons.</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFileText</name>
+    <message>
+        <source>&quot;%1&quot; names no sound card</source>
+        <translation>« %1&#xa0;» ne désigne pas de carte son</translation>
+    </message>
+    <message>
+        <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
+        <translation>pipewire, pipewire:NODE, jack, jack:CLIENT ou alsa:PCM</translation>
+    </message>
+    <message>
+        <source>no such sample rate: %1</source>
+        <translation>fréquence d’échantillonnage inconnue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>l’un de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is no power of two</source>
+        <translation>%1 n’est pas une puissance de deux</translation>
+    </message>
+    <message>
+        <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
+        <translation>16, 32, 64, 128, 256, 512, 1024 ou 2048</translation>
+    </message>
+    <message>
+        <source>each tactor needs an output of its own</source>
+        <translation>chaque actionneur demande sa propre sortie</translation>
+    </message>
+    <message>
+        <source>six different whole numbers</source>
+        <translation>six nombres entiers différents</translation>
+    </message>
+    <message>
+        <source>%1 carriers for six tactors</source>
+        <translation>%1 porteuses pour six actionneurs</translation>
+    </message>
+    <message>
+        <source>one number, or a list of six</source>
+        <translation>un nombre, ou une liste de six</translation>
+    </message>
+    <message>
+        <source>the frequency is not clear</source>
+        <translation>la fréquence n’est pas claire</translation>
+    </message>
+    <message>
+        <source>either carrier_Hz or level_Hz</source>
+        <translation>soit carrier_Hz, soit level_Hz</translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation>les niveaux ne sont pas croissants</translation>
+    </message>
+    <message>
+        <source>five frequencies, the lowest first</source>
+        <translation>cinq fréquences, la plus basse d’abord</translation>
+    </message>
+    <message>
+        <source>the ramp is too short for the frequency: it would click</source>
+        <translation>la rampe est trop courte pour la fréquence&#xa0;: elle claquerait</translation>
+    </message>
+    <message>
+        <source>at least %1 ms</source>
+        <translation>au moins %1 ms</translation>
     </message>
 </context>
 <context>
@@ -16905,12 +17356,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Fichier d’appareil…</translation>
     </message>
     <message>
-        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
-        <translation>Un fichier qui décrit les registres d’un pilote de moteurs Modbus, ou les identifiants d’un bracelet USB</translation>
-    </message>
-    <message>
         <source>Open the file of a bracelet</source>
         <translation>Ouvrir le fichier d’un bracelet</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
+        <translation>Un fichier qui décrit les registres d’un pilote de moteurs Modbus, les identifiants d’un bracelet USB, ou les sorties d’une carte son</translation>
     </message>
 </context>
 <context>

@@ -283,6 +283,59 @@
     </message>
 </context>
 <context>
+    <name>AlsaText</name>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>ほかのプログラムが%1で再生しています。</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation>先にそちらで閉じてください</translation>
+    </message>
+    <message>
+        <source>The sound card %1 cannot be opened: %2</source>
+        <translation>サウンドカード%1を開けません: %2</translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation>ほかのプログラムも%1で再生できます。</translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation>alsa:hw:CARD=NAMEのようなカードそのもの、またはデバイスファイルのshared = true</translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation>サウンドカードは既知のどの形式も受け付けません。</translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation>サウンドカードは毎秒%1サンプルを再生できません。</translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation>デバイスファイルの別のsample_rate_Hz</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>サウンドカードの出力は%n個です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channelsが示す出力%1</translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation>サウンドカードは一度に%1サンプルを受け付けません。</translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation>デバイスファイルの別のperiod_frames</translation>
+    </message>
+</context>
+<context>
     <name>ArmChainText</name>
     <message>
         <source>interrupted</source>
@@ -329,8 +382,20 @@
         <translation>ファイルは%1を必要としますが、ここからは監視されません</translation>
     </message>
     <message>
-        <source>force_stop_N needs a force sensor at the wrist, which is not read when the arm is driven directly</source>
-        <translation>force_stop_Nには手首の力が必要ですが、ここからは読み取られません</translation>
+        <source>MoveIt Servo compares stamps with the robot&apos;s clock, so only teleta-site sends commands to it</source>
+        <translation>MoveIt Servoはスタンプをロボットの時計と比べるため、指令を送るのはteleta-siteだけです</translation>
+    </message>
+    <message>
+        <source>force_stop_N needs a force sensor: wrench = &quot;FILE&quot; names the file of one</source>
+        <translation>force_stop_Nには力センサーが必要です: wrench = &quot;ファイル&quot;でセンサーのファイルを指定します</translation>
+    </message>
+    <message>
+        <source>the force sensor is in the frame %1, which the description does not have</source>
+        <translation>力センサーの座標系%1は記述にありません</translation>
+    </message>
+    <message>
+        <source>the force sensor must be in the domain of the arm, over the same interface</source>
+        <translation>力センサーはアームと同じドメインで、同じインターフェイスを使う必要があります</translation>
     </message>
 </context>
 <context>
@@ -684,6 +749,17 @@
     </message>
 </context>
 <context>
+    <name>ArrayMessageText</name>
+    <message>
+        <source>a message has %1 numbers, the file has %2 x %3 taxels</source>
+        <translation>メッセージには%1個の数がありますが、ファイルのタクセルは%2 x %3です</translation>
+    </message>
+    <message>
+        <source>a message has %1 x %2 numbers, the file has %3 x %4 taxels</source>
+        <translation>メッセージの数は%1 x %2ですが、ファイルのタクセルは%3 x %4です</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -971,6 +1047,22 @@
     <message>
         <source>not calibrated: the motors are assumed</source>
         <translation>未キャリブレーション: モーターは仮定値です</translation>
+    </message>
+    <message>
+        <source>confirmed: played by the callback of the sound card</source>
+        <translation>確認済み: サウンドカードのコールバックが再生</translation>
+    </message>
+    <message>
+        <source>latency at most %1 ms, as stated, not measured</source>
+        <translation>遅延は最大%1 ms (申告値、測定値ではありません)</translation>
+    </message>
+    <message>
+        <source>callback takes %1 % of a period, longest %2 %</source>
+        <translation>コールバックは周期の%1 %、最長%2 %</translation>
+    </message>
+    <message>
+        <source>periods missed: %1</source>
+        <translation>逃した周期: %1</translation>
     </message>
 </context>
 <context>
@@ -3481,12 +3573,12 @@ Examples:
         <translation>届いたデータの中に、ファイルの記述に合うフレームがありません</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;または&quot;xela&quot;</translation>
-    </message>
-    <message>
         <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
         <translation>記述されたアレイについて、最初のフレームの1秒後までに送られたバイトを最大この数だけ表示</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;のいずれか</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4107,17 @@ Examples:
     <message>
         <source>a whole file</source>
         <translation>完全なファイル</translation>
+    </message>
+</context>
+<context>
+    <name>FileKeysText</name>
+    <message>
+        <source>&quot;%1&quot; is not a topic name</source>
+        <translation>「%1」はトピックの名前ではありません</translation>
+    </message>
+    <message>
+        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>/の後に英字・数字・_からなる部分。例: /joint_states</translation>
     </message>
 </context>
 <context>
@@ -4892,6 +4995,91 @@ Examples:
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
         <translation>中断されました。出力はそれまでに計算した分で終わっています</translation>
+    </message>
+</context>
+<context>
+    <name>JackText</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation>PipeWireが動いていません。</translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation>JACKサーバーが動いていません。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation>サウンドサーバーは毎秒%1サンプルを再生しています。</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation>デバイスファイルのsample_rate_Hz = %1</translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>ほかのプログラムが%1で再生しています。</translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation>その切断、またはデバイスファイルのshared = true</translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation>サウンドサーバーが接続を開始しません。</translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation>サウンドカードが複数あります: %1。</translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation>deviceにそのいずれかの名前</translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation>サウンドカードがありません。</translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation>サウンド出力「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>「%1」の出力は%n個です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channelsが示す出力%1</translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation>サウンドサーバーがアクチュエーター用のポートを用意しません。</translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation>アクチュエーター%1を%2に接続できません。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation>サウンドサーバーがサンプルを要求しません。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation>サウンドサーバーは一度に%1サンプルを再生しています。</translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation>デバイスファイルのperiod_frames = %1、または一度に%2サンプルを再生するサーバー</translation>
     </message>
 </context>
 <context>
@@ -7426,6 +7614,30 @@ x %4, y %5
         <source>let it cool down first</source>
         <translation>先に冷ましてください</translation>
     </message>
+    <message>
+        <source>Confirmed</source>
+        <translation>確認</translation>
+    </message>
+    <message>
+        <source>played by the callback of the sound card</source>
+        <translation>サウンドカードのコールバックが再生</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>at most %1 ms, as stated, not measured</source>
+        <translation>最大%1 ms (申告値、測定値ではありません)</translation>
+    </message>
+    <message>
+        <source>Callback</source>
+        <translation>コールバック</translation>
+    </message>
+    <message>
+        <source>%1 % of a period, longest %2 %, %3 missed</source>
+        <translation>周期の%1 %、最長%2 %、逃した周期%3</translation>
+    </message>
 </context>
 <context>
     <name>PlanContent</name>
@@ -8677,6 +8889,22 @@ Run %2 --help for more.
         <source>it was held; let go of the switch and press it again</source>
         <translation>アームは保持されました。スイッチを離してもう一度押してください</translation>
     </message>
+    <message>
+        <source>%1 reports no force, so force_stop_N cannot work</source>
+        <translation>%1が力を伝えないため、force_stop_Nは働きません</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which the description does not have</source>
+        <translation>%1が伝える力の座標系%2は記述にありません</translation>
+    </message>
+    <message>
+        <source>%1, which the arm requires, is not live</source>
+        <translation>アームに必須の%1がライブではありません</translation>
+    </message>
+    <message>
+        <source>the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4</source>
+        <translation>%1のスタンプはこのコンピューターより%2 s遅れています。MoveIt Servoが受け付けるのは%3から%4です</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheck</name>
@@ -8764,6 +8992,26 @@ Run %2 --help for more.
         <source>the check was interrupted</source>
         <translation>確認は途中で中断されました</translation>
     </message>
+    <message>
+        <source>%1 reports no force</source>
+        <translation>%1は力を伝えていません</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which the description does not have</source>
+        <translation>%1が伝える力の座標系%2は記述にありません</translation>
+    </message>
+    <message>
+        <source>%1 messages a second, longest gap %2 s, at most %3 N</source>
+        <translation>毎秒%1メッセージ、最長の間隔%2 s、最大%3 N</translation>
+    </message>
+    <message>
+        <source>; timeout_s is %1</source>
+        <translation>; timeout_sは%1です</translation>
+    </message>
+    <message>
+        <source>; force_stop_N is %1</source>
+        <translation>; force_stop_Nは%1です</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheckReport</name>
@@ -8800,14 +9048,6 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>&quot;%1&quot; is not a topic name</source>
-        <translation>「%1」はトピックの名前ではありません</translation>
-    </message>
-    <message>
-        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
-        <translation>/の後に英字・数字・_からなる部分。例: /joint_states</translation>
-    </message>
-    <message>
         <source>no available adapter moves an arm unguarded</source>
         <translation>使用できるアダプターに、保護なしでアームを動かすものはありません</translation>
     </message>
@@ -8838,6 +9078,79 @@ Run %2 --help for more.
     <message>
         <source>the efforts of this arm are not in Nm</source>
         <translation>このアームのトルク・力の単位がNmではありません</translation>
+    </message>
+    <message>
+        <source>the file of a force sensor, kind = &quot;ros_wrench&quot;</source>
+        <translation>力センサーのファイル（kind = &quot;ros_wrench&quot;）</translation>
+    </message>
+</context>
+<context>
+    <name>RosArray</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no sensor named &quot;%2&quot;</source>
+        <translation>%1に「%2」という名前のセンサーはありません</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>%1 を送信するものがありません</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1から何も届きません</translation>
+    </message>
+</context>
+<context>
+    <name>RosArrayFile</name>
+    <message>
+        <source>only a TactileState has sensors with names</source>
+        <translation>名前のあるセンサーを持つのはTactileStateだけです</translation>
+    </message>
+    <message>
+        <source>with a factor of 0 every value is the same</source>
+        <translation>係数が0では、すべての値が同じになります</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>別の数</translation>
+    </message>
+    <message>
+        <source>without a threshold it is not known which taxels are touched</source>
+        <translation>しきい値がないと、どのタクセルが触れられているか分かりません</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = 値の単位での数</translation>
+    </message>
+</context>
+<context>
+    <name>RosArrayMessage</name>
+    <message>
+        <source>a message has %1 bytes, its size says %2</source>
+        <translation>メッセージは%1バイトですが、その大きさによれば%2です</translation>
+    </message>
+    <message>
+        <source>a message has %1 sensors</source>
+        <translation>メッセージには%1個のセンサーがあります</translation>
+    </message>
+    <message>
+        <source>sensor = &quot;NAME&quot; in the file</source>
+        <translation>ファイルにsensor = &quot;名前&quot;</translation>
+    </message>
+    <message>
+        <source>a message has %1 dimensions</source>
+        <translation>メッセージには%1個の次元があります</translation>
+    </message>
+    <message>
+        <source>rows and columns</source>
+        <translation>行と列</translation>
+    </message>
+    <message>
+        <source>a message has the encoding &quot;%1&quot;</source>
+        <translation>メッセージの符号化は「%1」です</translation>
     </message>
 </context>
 <context>
@@ -8909,6 +9222,17 @@ Run %2 --help for more.
     <message>
         <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
         <translation>アームを記述したファイル (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+</context>
+<context>
+    <name>RosWrenchFile</name>
+    <message>
+        <source>a sign of 0 hides every force</source>
+        <translation>符号0ではすべての力が隠れます</translation>
+    </message>
+    <message>
+        <source>1: it reports what acts on the arm; -1: what the arm exerts</source>
+        <translation>1: アームに働く力を伝える; -1: アームが及ぼす力を伝える</translation>
     </message>
 </context>
 <context>
@@ -8994,6 +9318,14 @@ Run %2 --help for more.
     <message>
         <source>interrupted</source>
         <translation>中断されました</translation>
+    </message>
+    <message>
+        <source>%1 requires the device %2, which the site does not have</source>
+        <translation>%1に必要なデバイス%2がサイトにありません</translation>
+    </message>
+    <message>
+        <source>ids of the site&apos;s devices</source>
+        <translation>サイトのデバイスのid</translation>
     </message>
 </context>
 <context>
@@ -9973,6 +10305,123 @@ Run teleta-site --help for more.
     <message>
         <source>%1 refuses: %2</source>
         <translation>%1 が拒否しました: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundBracelet</name>
+    <message>
+        <source>The sound card asks for no samples.</source>
+        <translation>サウンドカードがサンプルを要求しません。</translation>
+    </message>
+    <message>
+        <source>There is no JACK library: %1</source>
+        <translation>JACKライブラリがありません: %1</translation>
+    </message>
+    <message>
+        <source>the package pipewire-jack, or libjack-jackd2-0</source>
+        <translation>パッケージpipewire-jackまたはlibjack-jackd2-0</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFaultText</name>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation>アクチュエーターの駆動中にサンプルが遅れました。</translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation>サウンドサーバーが終了しました。</translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation>サウンドカードがなくなりました。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation>サウンドサーバーのサンプルレートが変わりました。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation>サウンドサーバーの周期が変わりました。</translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation>アクチュエーターが出力から切断されました。</translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation>ほかのプログラムがサウンドカードで再生を始めました。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation>サウンドサーバーがサンプルを要求しなくなりました。</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFileText</name>
+    <message>
+        <source>&quot;%1&quot; names no sound card</source>
+        <translation>「%1」はサウンドカードの名前ではありません</translation>
+    </message>
+    <message>
+        <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
+        <translation>pipewire、pipewire:NODE、jack、jack:CLIENT、alsa:PCMのいずれか</translation>
+    </message>
+    <message>
+        <source>no such sample rate: %1</source>
+        <translation>そのようなサンプルレートはありません: %1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>%1 is no power of two</source>
+        <translation>%1は2の累乗ではありません</translation>
+    </message>
+    <message>
+        <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
+        <translation>16、32、64、128、256、512、1024、2048のいずれか</translation>
+    </message>
+    <message>
+        <source>each tactor needs an output of its own</source>
+        <translation>アクチュエーターごとに別の出力が必要です</translation>
+    </message>
+    <message>
+        <source>six different whole numbers</source>
+        <translation>互いに異なる6個の整数</translation>
+    </message>
+    <message>
+        <source>%1 carriers for six tactors</source>
+        <translation>6個のアクチュエーターに対して搬送波が%1個</translation>
+    </message>
+    <message>
+        <source>one number, or a list of six</source>
+        <translation>1つの数値、または6個のリスト</translation>
+    </message>
+    <message>
+        <source>the frequency is not clear</source>
+        <translation>周波数がはっきりしません</translation>
+    </message>
+    <message>
+        <source>either carrier_Hz or level_Hz</source>
+        <translation>carrier_Hzかlevel_Hzのどちらか</translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation>レベルが昇順ではありません</translation>
+    </message>
+    <message>
+        <source>five frequencies, the lowest first</source>
+        <translation>低い順に5個の周波数</translation>
+    </message>
+    <message>
+        <source>the ramp is too short for the frequency: it would click</source>
+        <translation>ランプが周波数に対して短すぎます: クリックが生じます</translation>
+    </message>
+    <message>
+        <source>at least %1 ms</source>
+        <translation>%1 ms以上</translation>
     </message>
 </context>
 <context>
@@ -16859,12 +17308,12 @@ Run teleta-site --help for more.
         <translation>デバイスファイル(&amp;D)…</translation>
     </message>
     <message>
-        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
-        <translation>Modbusモータードライバーのレジスター、またはUSBブレスレットのIDを記述したファイル</translation>
-    </message>
-    <message>
         <source>Open the file of a bracelet</source>
         <translation>ブレスレットのファイルを開く</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
+        <translation>Modbusモータードライバーのレジスター、USBブレスレットのID、またはサウンドカードの出力を記述したファイル</translation>
     </message>
 </context>
 <context>

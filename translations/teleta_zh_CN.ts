@@ -283,6 +283,59 @@
     </message>
 </context>
 <context>
+    <name>AlsaText</name>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>另一个程序正在 %1 上播放。</translation>
+    </message>
+    <message>
+        <source>it to be closed there first</source>
+        <translation>请先在那里将其关闭</translation>
+    </message>
+    <message>
+        <source>The sound card %1 cannot be opened: %2</source>
+        <translation>无法打开声卡 %1：%2</translation>
+    </message>
+    <message>
+        <source>Other programs can play on %1 as well.</source>
+        <translation>其他程序也可以在 %1 上播放。</translation>
+    </message>
+    <message>
+        <source>the card itself, as alsa:hw:CARD=NAME, or shared = true in the device file</source>
+        <translation>声卡本身，如 alsa:hw:CARD=NAME，或设备文件中的 shared = true</translation>
+    </message>
+    <message>
+        <source>The sound card takes none of the known formats.</source>
+        <translation>声卡不接受任何已知格式。</translation>
+    </message>
+    <message>
+        <source>The sound card does not play %1 samples a second.</source>
+        <translation>声卡不支持每秒 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>another sample_rate_Hz in the device file</source>
+        <translation>设备文件中的其他 sample_rate_Hz</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sound card has %n output(s).</source>
+        <translation>
+            <numerusform>声卡有 %n 个输出。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channels 所写的输出 %1</translation>
+    </message>
+    <message>
+        <source>The sound card does not take %1 samples at a time.</source>
+        <translation>声卡不支持一次 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>another period_frames in the device file</source>
+        <translation>设备文件中的其他 period_frames</translation>
+    </message>
+</context>
+<context>
     <name>ArmChainText</name>
     <message>
         <source>interrupted</source>
@@ -329,8 +382,20 @@
         <translation>文件要求 %1，而此处不对其进行监视</translation>
     </message>
     <message>
-        <source>force_stop_N needs a force sensor at the wrist, which is not read when the arm is driven directly</source>
-        <translation>force_stop_N 需要腕部的力，而此处不读取该力</translation>
+        <source>MoveIt Servo compares stamps with the robot&apos;s clock, so only teleta-site sends commands to it</source>
+        <translation>MoveIt Servo 用机器人的时钟比较时间戳，因此只有 teleta-site 向它发送指令</translation>
+    </message>
+    <message>
+        <source>force_stop_N needs a force sensor: wrench = &quot;FILE&quot; names the file of one</source>
+        <translation>force_stop_N 需要力传感器：wrench = &quot;文件&quot; 指明传感器的文件</translation>
+    </message>
+    <message>
+        <source>the force sensor is in the frame %1, which the description does not have</source>
+        <translation>力传感器所在的坐标系 %1 不在描述中</translation>
+    </message>
+    <message>
+        <source>the force sensor must be in the domain of the arm, over the same interface</source>
+        <translation>力传感器必须与机械臂在同一个域中，并使用同一接口</translation>
     </message>
 </context>
 <context>
@@ -684,6 +749,17 @@
     </message>
 </context>
 <context>
+    <name>ArrayMessageText</name>
+    <message>
+        <source>a message has %1 numbers, the file has %2 x %3 taxels</source>
+        <translation>一条消息有 %1 个数，文件有 %2 x %3 个触觉单元</translation>
+    </message>
+    <message>
+        <source>a message has %1 x %2 numbers, the file has %3 x %4 taxels</source>
+        <translation>一条消息有 %1 x %2 个数，文件有 %3 x %4 个触觉单元</translation>
+    </message>
+</context>
+<context>
     <name>BakeText</name>
     <message>
         <source>the pattern has too many corners</source>
@@ -971,6 +1047,22 @@
     <message>
         <source>not calibrated: the motors are assumed</source>
         <translation>未标定：电机采用假定值</translation>
+    </message>
+    <message>
+        <source>confirmed: played by the callback of the sound card</source>
+        <translation>已确认：由声卡的回调播放</translation>
+    </message>
+    <message>
+        <source>latency at most %1 ms, as stated, not measured</source>
+        <translation>延迟至多 %1 ms，为声明值，未经测量</translation>
+    </message>
+    <message>
+        <source>callback takes %1 % of a period, longest %2 %</source>
+        <translation>回调占周期的 %1 %，最长 %2 %</translation>
+    </message>
+    <message>
+        <source>periods missed: %1</source>
+        <translation>错过的周期：%1</translation>
     </message>
 </context>
 <context>
@@ -3481,12 +3573,12 @@ Examples:
         <translation>收到的数据中没有文件所描述的帧</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot; 或 &quot;xela&quot;</translation>
-    </message>
-    <message>
         <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
         <translation>对于已描述的阵列：最多显示其在第一帧之后一秒内发送的这么多字节</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot; 或 &quot;sound_bracelet&quot;</translation>
     </message>
 </context>
 <context>
@@ -4015,6 +4107,17 @@ Examples:
     <message>
         <source>a whole file</source>
         <translation>完整的文件</translation>
+    </message>
+</context>
+<context>
+    <name>FileKeysText</name>
+    <message>
+        <source>&quot;%1&quot; is not a topic name</source>
+        <translation>“%1”不是话题名称</translation>
+    </message>
+    <message>
+        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
+        <translation>斜杠后由字母、数字和 _ 组成的各部分，例如 /joint_states</translation>
     </message>
 </context>
 <context>
@@ -4892,6 +4995,91 @@ Examples:
     <message>
         <source>interrupted; the output ends with what was computed until then</source>
         <translation>已中断；输出截至中断前已计算的内容</translation>
+    </message>
+</context>
+<context>
+    <name>JackText</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>PipeWire does not run.</source>
+        <translation>PipeWire 未运行。</translation>
+    </message>
+    <message>
+        <source>The JACK server does not run.</source>
+        <translation>JACK 服务器未运行。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples a second.</source>
+        <translation>声音服务器每秒播放 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>sample_rate_Hz = %1 in the device file</source>
+        <translation>设备文件中的 sample_rate_Hz = %1</translation>
+    </message>
+    <message>
+        <source>Another program plays on %1.</source>
+        <translation>另一个程序正在 %1 上播放。</translation>
+    </message>
+    <message>
+        <source>it to be disconnected, or shared = true in the device file</source>
+        <translation>断开该程序，或在设备文件中写 shared = true</translation>
+    </message>
+    <message>
+        <source>The sound server does not start the connection.</source>
+        <translation>声音服务器未启动连接。</translation>
+    </message>
+    <message>
+        <source>There are several sound cards: %1.</source>
+        <translation>有多个声卡：%1。</translation>
+    </message>
+    <message>
+        <source>the name of one of them in device</source>
+        <translation>在 device 中写明其中一个的名称</translation>
+    </message>
+    <message>
+        <source>There is no sound card.</source>
+        <translation>没有声卡。</translation>
+    </message>
+    <message>
+        <source>There is no sound output &quot;%1&quot;.</source>
+        <translation>没有声音输出“%1”。</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; has %n output(s).</source>
+        <translation>
+            <numerusform>“%1”有 %n 个输出。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>an output %1, as channels says</source>
+        <translation>channels 所写的输出 %1</translation>
+    </message>
+    <message>
+        <source>The sound server gives no port for a tactor.</source>
+        <translation>声音服务器没有为致动器提供端口。</translation>
+    </message>
+    <message>
+        <source>Tactor %1 cannot be connected to %2.</source>
+        <translation>无法将致动器 %1 连接到 %2。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no samples.</source>
+        <translation>声音服务器不请求采样。</translation>
+    </message>
+    <message>
+        <source>The sound server plays %1 samples at a time.</source>
+        <translation>声音服务器一次播放 %1 个采样。</translation>
+    </message>
+    <message>
+        <source>period_frames = %1 in the device file, or a server that plays %2 at a time</source>
+        <translation>设备文件中的 period_frames = %1，或一次播放 %2 个采样的服务器</translation>
     </message>
 </context>
 <context>
@@ -7426,6 +7614,30 @@ x %4，y %5
         <source>let it cool down first</source>
         <translation>请先让它冷却</translation>
     </message>
+    <message>
+        <source>Confirmed</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>played by the callback of the sound card</source>
+        <translation>由声卡的回调播放</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>延迟</translation>
+    </message>
+    <message>
+        <source>at most %1 ms, as stated, not measured</source>
+        <translation>至多 %1 ms，为声明值，未经测量</translation>
+    </message>
+    <message>
+        <source>Callback</source>
+        <translation>回调</translation>
+    </message>
+    <message>
+        <source>%1 % of a period, longest %2 %, %3 missed</source>
+        <translation>周期的 %1 %，最长 %2 %，错过 %3 个</translation>
+    </message>
 </context>
 <context>
     <name>PlanContent</name>
@@ -8677,6 +8889,22 @@ Run %2 --help for more.
         <source>it was held; let go of the switch and press it again</source>
         <translation>它曾被停住；请松开开关再重新按下</translation>
     </message>
+    <message>
+        <source>%1 reports no force, so force_stop_N cannot work</source>
+        <translation>%1 没有报告力，force_stop_N 无法起作用</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which the description does not have</source>
+        <translation>%1 报告的力所在的坐标系 %2 不在描述中</translation>
+    </message>
+    <message>
+        <source>%1, which the arm requires, is not live</source>
+        <translation>机械臂所需的 %1 不在线</translation>
+    </message>
+    <message>
+        <source>the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4</source>
+        <translation>%1 的时间戳比本计算机晚 %2 s，MoveIt Servo 接受 %3 到 %4</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheck</name>
@@ -8764,6 +8992,26 @@ Run %2 --help for more.
         <source>the check was interrupted</source>
         <translation>检查被中断</translation>
     </message>
+    <message>
+        <source>%1 reports no force</source>
+        <translation>%1 没有报告力</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which the description does not have</source>
+        <translation>%1 报告的力所在的坐标系 %2 不在描述中</translation>
+    </message>
+    <message>
+        <source>%1 messages a second, longest gap %2 s, at most %3 N</source>
+        <translation>每秒 %1 条消息，最长间隔 %2 s，最大 %3 N</translation>
+    </message>
+    <message>
+        <source>; timeout_s is %1</source>
+        <translation>；timeout_s 为 %1</translation>
+    </message>
+    <message>
+        <source>; force_stop_N is %1</source>
+        <translation>；force_stop_N 为 %1</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheckReport</name>
@@ -8800,14 +9048,6 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>&quot;%1&quot; is not a topic name</source>
-        <translation>“%1”不是话题名称</translation>
-    </message>
-    <message>
-        <source>parts of letters, digits and _ after slashes, for example /joint_states</source>
-        <translation>斜杠后由字母、数字和 _ 组成的各部分，例如 /joint_states</translation>
-    </message>
-    <message>
         <source>no available adapter moves an arm unguarded</source>
         <translation>所提供的适配器均不会在无防护的情况下移动机械臂</translation>
     </message>
@@ -8838,6 +9078,79 @@ Run %2 --help for more.
     <message>
         <source>the efforts of this arm are not in Nm</source>
         <translation>此机械臂的 effort 不以 Nm 为单位</translation>
+    </message>
+    <message>
+        <source>the file of a force sensor, kind = &quot;ros_wrench&quot;</source>
+        <translation>力传感器的文件，kind = &quot;ros_wrench&quot;</translation>
+    </message>
+</context>
+<context>
+    <name>RosArray</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 has no sensor named &quot;%2&quot;</source>
+        <translation>%1 中没有名为“%2”的传感器</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>没有程序发布 %1</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1 没有数据</translation>
+    </message>
+</context>
+<context>
+    <name>RosArrayFile</name>
+    <message>
+        <source>only a TactileState has sensors with names</source>
+        <translation>只有 TactileState 的传感器有名称</translation>
+    </message>
+    <message>
+        <source>with a factor of 0 every value is the same</source>
+        <translation>系数为 0 时所有值都相同</translation>
+    </message>
+    <message>
+        <source>another number</source>
+        <translation>另一个数</translation>
+    </message>
+    <message>
+        <source>without a threshold it is not known which taxels are touched</source>
+        <translation>没有阈值就无法知道哪些触觉单元被触碰</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = 以数值的单位表示的数</translation>
+    </message>
+</context>
+<context>
+    <name>RosArrayMessage</name>
+    <message>
+        <source>a message has %1 bytes, its size says %2</source>
+        <translation>一条消息有 %1 个字节，按其尺寸应为 %2 个</translation>
+    </message>
+    <message>
+        <source>a message has %1 sensors</source>
+        <translation>一条消息有 %1 个传感器</translation>
+    </message>
+    <message>
+        <source>sensor = &quot;NAME&quot; in the file</source>
+        <translation>文件中的 sensor = &quot;名称&quot;</translation>
+    </message>
+    <message>
+        <source>a message has %1 dimensions</source>
+        <translation>一条消息有 %1 个维度</translation>
+    </message>
+    <message>
+        <source>rows and columns</source>
+        <translation>行和列</translation>
+    </message>
+    <message>
+        <source>a message has the encoding &quot;%1&quot;</source>
+        <translation>一条消息的编码为“%1”</translation>
     </message>
 </context>
 <context>
@@ -8909,6 +9222,17 @@ Run %2 --help for more.
     <message>
         <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
         <translation>描述机械臂的文件 (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+</context>
+<context>
+    <name>RosWrenchFile</name>
+    <message>
+        <source>a sign of 0 hides every force</source>
+        <translation>符号 0 会隐藏所有的力</translation>
+    </message>
+    <message>
+        <source>1: it reports what acts on the arm; -1: what the arm exerts</source>
+        <translation>1：报告作用在机械臂上的力；-1：报告机械臂所施加的力</translation>
     </message>
 </context>
 <context>
@@ -8994,6 +9318,14 @@ Run %2 --help for more.
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
+    </message>
+    <message>
+        <source>%1 requires the device %2, which the site does not have</source>
+        <translation>%1 需要设备 %2，站点没有该设备</translation>
+    </message>
+    <message>
+        <source>ids of the site&apos;s devices</source>
+        <translation>站点设备的 id</translation>
     </message>
 </context>
 <context>
@@ -9973,6 +10305,123 @@ Run teleta-site --help for more.
     <message>
         <source>%1 refuses: %2</source>
         <translation>%1 拒绝：%2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundBracelet</name>
+    <message>
+        <source>The sound card asks for no samples.</source>
+        <translation>声卡不请求采样。</translation>
+    </message>
+    <message>
+        <source>There is no JACK library: %1</source>
+        <translation>没有 JACK 库：%1</translation>
+    </message>
+    <message>
+        <source>the package pipewire-jack, or libjack-jackd2-0</source>
+        <translation>软件包 pipewire-jack 或 libjack-jackd2-0</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFaultText</name>
+    <message>
+        <source>Samples came too late while a tactor was driven.</source>
+        <translation>驱动致动器时采样到达过晚。</translation>
+    </message>
+    <message>
+        <source>The sound server ended.</source>
+        <translation>声音服务器已结束。</translation>
+    </message>
+    <message>
+        <source>The sound card is gone.</source>
+        <translation>声卡已消失。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its sample rate.</source>
+        <translation>声音服务器更改了采样率。</translation>
+    </message>
+    <message>
+        <source>The sound server changed its period.</source>
+        <translation>声音服务器更改了周期。</translation>
+    </message>
+    <message>
+        <source>A tactor was disconnected from its output.</source>
+        <translation>有致动器与其输出断开。</translation>
+    </message>
+    <message>
+        <source>Another program began to play on the sound card.</source>
+        <translation>另一个程序开始在声卡上播放。</translation>
+    </message>
+    <message>
+        <source>The sound server asks for no more samples.</source>
+        <translation>声音服务器不再请求采样。</translation>
+    </message>
+</context>
+<context>
+    <name>SoundFileText</name>
+    <message>
+        <source>&quot;%1&quot; names no sound card</source>
+        <translation>“%1”不是声卡的名称</translation>
+    </message>
+    <message>
+        <source>pipewire, pipewire:NODE, jack, jack:CLIENT or alsa:PCM</source>
+        <translation>pipewire、pipewire:NODE、jack、jack:CLIENT 或 alsa:PCM</translation>
+    </message>
+    <message>
+        <source>no such sample rate: %1</source>
+        <translation>没有这样的采样率：%1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message>
+        <source>%1 is no power of two</source>
+        <translation>%1 不是 2 的幂</translation>
+    </message>
+    <message>
+        <source>16, 32, 64, 128, 256, 512, 1024 or 2048</source>
+        <translation>16、32、64、128、256、512、1024 或 2048</translation>
+    </message>
+    <message>
+        <source>each tactor needs an output of its own</source>
+        <translation>每个致动器都需要自己的输出</translation>
+    </message>
+    <message>
+        <source>six different whole numbers</source>
+        <translation>六个不同的整数</translation>
+    </message>
+    <message>
+        <source>%1 carriers for six tactors</source>
+        <translation>六个致动器有 %1 个载波</translation>
+    </message>
+    <message>
+        <source>one number, or a list of six</source>
+        <translation>一个数，或六个数的列表</translation>
+    </message>
+    <message>
+        <source>the frequency is not clear</source>
+        <translation>频率不明确</translation>
+    </message>
+    <message>
+        <source>either carrier_Hz or level_Hz</source>
+        <translation>carrier_Hz 或 level_Hz 之一</translation>
+    </message>
+    <message>
+        <source>the levels do not rise</source>
+        <translation>各级别不是递增的</translation>
+    </message>
+    <message>
+        <source>five frequencies, the lowest first</source>
+        <translation>五个频率，最低的在前</translation>
+    </message>
+    <message>
+        <source>the ramp is too short for the frequency: it would click</source>
+        <translation>斜坡对该频率来说过短：会产生咔嗒声</translation>
+    </message>
+    <message>
+        <source>at least %1 ms</source>
+        <translation>至少 %1 ms</translation>
     </message>
 </context>
 <context>
@@ -16859,12 +17308,12 @@ Run teleta-site --help for more.
         <translation>设备文件(&amp;D)…</translation>
     </message>
     <message>
-        <source>A file that describes the registers of a Modbus motor driver, or the ids of a USB bracelet</source>
-        <translation>描述 Modbus 电机驱动器的寄存器或 USB 手环标识号的文件</translation>
-    </message>
-    <message>
         <source>Open the file of a bracelet</source>
         <translation>打开手环的文件</translation>
+    </message>
+    <message>
+        <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
+        <translation>描述 Modbus 电机驱动器的寄存器、USB 手环的标识号或声卡输出的文件</translation>
     </message>
 </context>
 <context>
