@@ -205,17 +205,20 @@ endif()
 
 # A test is compiled more often than it runs, and what takes long in it is in the libraries: so a low optimization. Precompiled
 # headers want the same options everywhere, so that also those without Qt are position independent.
-set(teleta_test_options -fPIC)
+# Linked last, so that its options count.
+add_library(teleta_test_options INTERFACE)
+target_compile_options(teleta_test_options INTERFACE -fPIC)
 if(NOT TELETA_SANITIZE)
     # With it, GCC finds errors in the standard library and in Qt that are not there.
-    list(APPEND teleta_test_options $<$<CONFIG:Release,RelWithDebInfo>:-O1> -Wno-null-dereference -Wno-array-bounds
-         -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized -Wno-free-nonheap-object)
+    target_compile_options(
+        teleta_test_options INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1> -Wno-null-dereference -Wno-array-bounds
+                                      -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized
+                                      -Wno-free-nonheap-object)
 endif()
 if(TELETA_TESTS AND TELETA_UNITY AND NOT TELETA_SANITIZE)
     find_package(GTest REQUIRED)
     add_library(teleta_precompiled_tests OBJECT "${CMAKE_BINARY_DIR}/precompiled.cpp")
-    target_link_libraries(teleta_precompiled_tests PRIVATE teleta_options GTest::gtest)
-    target_compile_options(teleta_precompiled_tests PRIVATE ${teleta_test_options})
+    target_link_libraries(teleta_precompiled_tests PRIVATE teleta_options GTest::gtest teleta_test_options)
     target_precompile_headers(teleta_precompiled_tests PRIVATE <gtest/gtest.h> <algorithm> <array> <chrono> <cmath> <fstream>
                               <functional> <map> <memory> <optional> <sstream> <string> <thread> <variant> <vector>)
 endif()
@@ -339,11 +342,10 @@ function(teleta_test name)
     add_executable(${name} ${ARG_SOURCES})
     if(ARG_LABEL STREQUAL "stability")
         target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/support/trapped_main.cpp")
-        target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest)
+        target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest teleta_test_options)
     else()
-        target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest_main)
+        target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} GTest::gtest_main teleta_test_options)
     endif()
-    target_compile_options(${name} PRIVATE ${teleta_test_options})
     if(TARGET teleta_precompiled_tests)
         target_precompile_headers(${name} REUSE_FROM teleta_precompiled_tests)
     endif()
@@ -365,8 +367,7 @@ function(teleta_gui_test name)
     add_executable(${name} ${ARG_SOURCES})
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     teleta_use_precompiled(${name})
-    target_compile_options(${name} PRIVATE ${teleta_test_options})
-    target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} Qt6::Test)
+    target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} Qt6::Test teleta_test_options)
     target_compile_definitions(${name} PRIVATE TELETA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     if(ARG_LABEL STREQUAL "gl")
         find_program(TELETA_XVFB_RUN xvfb-run REQUIRED)
