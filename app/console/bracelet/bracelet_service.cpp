@@ -242,7 +242,7 @@ void BraceletService::tick() {
     repeatHold();
     pipeline::FeedbackSent sent;
     while (m_feedback->popSent(sent)) {
-        m_touchToSkin.begin(std::move(sent));
+        m_touchToSkin.begin(std::move(sent), m_siteClock);
         emit felt(*m_touchToSkin.last());
     }
     if (m_session && m_touchToSkin.isOpen() && m_touchToSkin.update(m_session->player().counters()))

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -119,8 +120,12 @@ public:
     [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
     [[nodiscard]] std::optional<TouchToSkin::Latency> touchToSkin() const { return m_touchToSkin.latency(); }
     [[nodiscard]] std::optional<double> newestTouchToSkin_s() const { return m_touchToSkin.newest_s(); }
+    /// Of all touches, see TouchToSkin::receipts().
+    [[nodiscard]] const std::deque<TouchReceipt>& receipts() const { return m_touchToSkin.receipts(); }
+    /// The clock of the site whose arm is shown; empty: an arm here, or its clock is not known yet.
+    void setSiteClock(const std::optional<site::ClockOffset>& clock) { m_siteClock = clock; }
     /// The newest recognition while a map was set.
-    [[nodiscard]] const std::optional<FeedbackEvent>& lastEvent() const { return m_touchToSkin.last(); }
+    [[nodiscard]] const std::optional<TouchReceipt>& lastEvent() const { return m_touchToSkin.last(); }
 
 signals:
     void chosen(BraceletChoice choice);
@@ -135,7 +140,7 @@ signals:
     /// The saved limits could not be read or written.
     void strongestFailed(const core::Error& error);
     /// Something new was recognised, or its onset became known.
-    void felt(const FeedbackEvent& event);
+    void felt(const TouchReceipt& receipt);
 
 private:
     void open(BraceletChoice choice, const QString& deviceFile);
@@ -167,6 +172,7 @@ private:
     pipeline::TactileFeedback::Library m_library;
     pattern::PatternMap m_map;
     TouchToSkin m_touchToSkin;
+    std::optional<site::ClockOffset> m_siteClock;
     std::uint64_t m_asked = 0; ///< number of the newest program that was not for a touch
     std::optional<std::size_t> m_held;
     bool m_reserved = false;

@@ -2,6 +2,8 @@
 #include "app/console/bracelet/feedback_panel.h"
 
 #include "backend/pattern/model/built_in_patterns.h"
+#include "widgets/base/compose.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -11,15 +13,32 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 namespace teleta::console {
 
 using pipeline::FeedbackMode;
+
+namespace {
+
+QString timeText(double time_s) {
+    return base::siQuantity(time_s, QStringLiteral("s")).trimmed();
+}
+
+/// With the bound of another clock.
+QString timeText(double time_s, const std::optional<site::ClockOffset>& clock) {
+    return clock ? QStringLiteral("%1 ± %2").arg(timeText(time_s),
+                                                 timeText(static_cast<double>(clock->bound_ns) * 1e-9))
+                 : timeText(time_s);
+}
+
+} // namespace
 
 FeedbackPanel::FeedbackPanel(BraceletService& station, QWidget* parent)
     : QWidget(parent)
@@ -28,11 +47,21 @@ FeedbackPanel::FeedbackPanel(BraceletService& station, QWidget* parent)
     , m_mode(new QComboBox(this))
     , m_last(new QLabel(this))
     , m_latency(new QLabel(this))
+    , m_save(base::named<QPushButton>("saveTouchTimes", this))
     , m_table(new touch::PatternMapTable(this)) {
     m_modeLabel->setBuddy(m_mode);
     m_last->setWordWrap(true);
     m_latency->setWordWrap(true);
     m_latency->hide();
+    m_save->hide();
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        base::askToSave(this,
+                        {.title = tr("Save the times of touches"),
+                         .filters = {tr("Tables (*.csv)")},
+                         .suffix = QStringLiteral("csv"),
+                         .name = QStringLiteral("touches.csv")},
+                        [this](const QString& path) { saveReceipts(path); });
+    });
     m_last->setTextInteractionFlags(Qt::TextSelectableByMouse);
     for (const FeedbackMode mode :
          {FeedbackMode::both, FeedbackMode::stiffness, FeedbackMode::shape, FeedbackMode::off})
@@ -45,7 +74,10 @@ FeedbackPanel::FeedbackPanel(BraceletService& station, QWidget* parent)
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->addLayout(top);
     layout->addWidget(m_last);
-    layout->addWidget(m_latency);
+    auto* times = new QHBoxLayout;
+    times->addWidget(m_latency, 1);
+    times->addWidget(m_save, 0, Qt::AlignTop);
+    layout->addLayout(times);
     layout->addWidget(m_table, 1);
     connect(m_mode, &QComboBox::currentIndexChanged, this, [this] {
         m_station.setMode(mode());
@@ -121,7 +153,7 @@ void FeedbackPanel::forgetLast() {
     retranslate();
 }
 
-void FeedbackPanel::showLast(const FeedbackEvent& event) {
+void FeedbackPanel::showLast(const TouchReceipt& event) {
     if (event.sent.shape)
         m_table->setRecognisedShape(*event.sent.shape);
     else if (event.sent.unknownStiffness)
@@ -133,7 +165,7 @@ void FeedbackPanel::showLast(const FeedbackEvent& event) {
     showLatency();
 }
 
-void FeedbackPanel::writeLast(const FeedbackEvent& event) {
+void FeedbackPanel::writeLast(const TouchReceipt& event) {
     const QString what = event.sent.shape              ? touch::TouchTexts::shape(*event.sent.shape)
                          : event.sent.unknownStiffness ? touch::PatternMapTable::tr("unknown stiffness")
                                                        : touch::TouchTexts::material(*event.sent.material);
@@ -158,26 +190,55 @@ void FeedbackPanel::writeLast(const FeedbackEvent& event) {
                            "calibration is using it.")
                             .arg(touch, what, pattern));
     else if (event.onset_s)
-        m_last->setText(
-            tr("Touch %1: %2. %3 was felt %4 later.")
-                .arg(touch, what, pattern, base::siQuantity(*event.onset_s, QStringLiteral("s")).trimmed()));
+        m_last->setText(tr("Touch %1: %2. %3 was felt %4 later.")
+                            .arg(touch, what, pattern, timeText(*event.onset_s, event.clock)));
     else
         m_last->setText(tr("Touch %1: %2. %3 was sent.").arg(touch, what, pattern));
+    m_last->setToolTip(stagesOf(event));
+}
+
+QString FeedbackPanel::stagesOf(const TouchReceipt& receipt) const {
+    QStringList lines{
+        tr("Read: %1")
+            .arg(receipt.clock ? tr("by the clock of the site, known to ± %1")
+                                     .arg(timeText(static_cast<double>(receipt.clock->bound_ns) * 1e-9))
+                               : tr("by the clock of this computer")),
+        tr("Evaluated: %1 later")
+            .arg(timeText(static_cast<double>(receipt.sent.sent_ns - receipt.sent.felt_ns) * 1e-9))};
+    if (receipt.begin_s)
+        lines << tr("First frame to the bracelet: %1 later").arg(timeText(*receipt.begin_s));
+    if (receipt.onset_s)
+        lines << tr("First frame that is felt: %1 later").arg(timeText(*receipt.onset_s));
+    return lines.join(QLatin1Char('\n'));
+}
+
+void FeedbackPanel::saveReceipts(const QString& path) {
+    const std::deque<TouchReceipt>& receipts = m_station.receipts();
+    const auto saved =
+        writeReceipts(path.toStdString(), std::vector<TouchReceipt>(receipts.begin(), receipts.end()));
+    if (!saved)
+        emit failed(QString::fromStdString(core::describe(saved.error())));
 }
 
 void FeedbackPanel::showLatency() {
     const std::optional<TouchToSkin::Latency> latency = m_station.touchToSkin();
     m_latency->setVisible(latency.has_value());
+    m_save->setVisible(!m_station.receipts().empty());
     if (!latency)
         return;
-    const auto text = [](double time_s) { return base::siQuantity(time_s, QStringLiteral("s")).trimmed(); };
-    m_latency->setText(tr("From touch to skin: %1 half of the time, %2 at 99 %.")
-                           .arg(text(latency->median_s), text(latency->p99_s)));
+    QString text = tr("From touch to skin: %1 half of the time, %2 at 99 %.")
+                       .arg(timeText(latency->median_s), timeText(latency->p99_s));
+    if (latency->bound_s > 0.0)
+        text += QLatin1Char(' ') +
+                tr("Each is known to ± %1, since two clocks are compared.").arg(timeText(latency->bound_s));
+    m_latency->setText(text);
     m_latency->setToolTip(tr("Of the newest touches, with the link between the two sites on the way"));
 }
 
 void FeedbackPanel::retranslate() {
     showLatency();
+    m_save->setText(tr("Save times…"));
+    m_save->setToolTip(tr("Save when each touch was read, evaluated, sent and felt, as a table (CSV)"));
     m_modeLabel->setText(tr("What to &play:"));
     const QSignalBlocker quiet(m_mode);
     m_mode->setItemText(0, tr("Stiffness and shape"));

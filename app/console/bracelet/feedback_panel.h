@@ -13,6 +13,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace teleta::console {
 
@@ -42,8 +43,11 @@ signals:
     void failed(const QString& message);
 
 private:
-    void showLast(const FeedbackEvent& event);
-    void writeLast(const FeedbackEvent& event);
+    void showLast(const TouchReceipt& event);
+    void writeLast(const TouchReceipt& event);
+    /// The stages of a touch on its way, for a tool tip.
+    [[nodiscard]] QString stagesOf(const TouchReceipt& receipt) const;
+    void saveReceipts(const QString& path);
     void showLatency();
     /// As the table of patterns names it; one that is not there any more by its id.
     [[nodiscard]] QString nameOf(const std::string& id) const;
@@ -55,9 +59,10 @@ private:
     QComboBox* m_mode;
     QLabel* m_last;
     QLabel* m_latency;
+    QPushButton* m_save;
     touch::PatternMapTable* m_table;
     std::vector<touch::PatternChoice> m_own;
-    std::optional<FeedbackEvent> m_lastFelt;
+    std::optional<TouchReceipt> m_lastFelt;
     std::vector<touch::PatternChoice> m_choices;
     QString m_lastText;
 };

@@ -153,6 +153,7 @@ void OperatePage::tick() {
     const auto* remote = shown != nullptr ? std::get_if<app::SiteRequest>(&shown->request) : nullptr;
     m_site->setSite(remote != nullptr ? remote->site.lock() : nullptr);
     m_site->tick();
+    m_bracelet.setSiteClock(m_site->clock());
     m_charts->refresh();
     m_bracelet.tick();
     m_arm->tick();

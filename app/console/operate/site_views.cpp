@@ -108,6 +108,11 @@ void SiteViews::setSite(const std::shared_ptr<site_link::SiteClient>& site) {
         m_messages.post({Message::Severity::warning, text(warning), tr("Ask for new keys in time."), {}});
 }
 
+std::optional<site::ClockOffset> SiteViews::clock() const {
+    const auto site = m_site.lock();
+    return site ? site->view().clock : std::nullopt;
+}
+
 void SiteViews::tick() {
     const auto site = m_site.lock();
     if (!site)

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] site_view::SiteBar& bar() { return *m_bar; }
     /// Null: the shown source is of no site; the bar is hidden then.
     void setSite(const std::shared_ptr<site_link::SiteClient>& site);
+    /// Of the site that is shown; empty: none is, or it is not known yet.
+    [[nodiscard]] std::optional<site::ClockOffset> clock() const;
     /// Shows what came since the last tick.
     void tick();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch/tactile_feedback.h"
 
+#include "backend/core/steady_time.h"
+
 #include <utility>
 
 namespace teleta::pipeline {
@@ -101,6 +103,7 @@ FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& 
     sent.missing = !entry.id.empty() && !entry.program.evaluate;
     sent.refused = !entry.id.empty() && !sent.missing && !taken;
     sent.felt_ns = record.ready_ns;
+    sent.sent_ns = core::steadyNow_ns();
     return sent;
 }
 

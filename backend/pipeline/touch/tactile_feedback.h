@@ -31,6 +31,7 @@ struct FeedbackSent {
     bool missing = false;          ///< the map has this id, but there is no such pattern: nothing was sent
     bool refused = false;     ///< there is no bracelet, or it is used for something else: nothing was sent
     std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
+    std::int64_t sent_ns = 0; ///< steady time at which it was evaluated and the pattern handed over
 };
 
 /// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,

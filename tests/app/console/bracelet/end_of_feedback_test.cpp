@@ -108,7 +108,7 @@ private slots:
         });
         touch(1);
         QTRY_VERIFY((m_station->tick(), m_station->lastEvent() && m_station->lastEvent()->onset_s));
-        const console::FeedbackEvent event = *m_station->lastEvent();
+        const console::TouchReceipt event = *m_station->lastEvent();
         QVERIFY(event.begin_s && *event.begin_s >= 0.0);
         QVERIFY(*event.onset_s > *event.begin_s);
         QCOMPARE(m_station->touchToSkin()->median_s, *event.begin_s);
