@@ -76,6 +76,7 @@ core::Expected<JackLibrary> loadJack(const std::string& path) {
     loader.find(jack.setBufferSize, "jack_set_buffer_size");
     loader.find(jack.sampleRate, "jack_get_sample_rate");
     loader.find(jack.bufferSize, "jack_get_buffer_size");
+    loader.find(jack.frameTime, "jack_last_frame_time");
     loader.find(jack.portRegister, "jack_port_register");
     loader.find(jack.portBuffer, "jack_port_get_buffer");
     loader.find(jack.portName, "jack_port_name");

@@ -46,6 +46,7 @@ struct JackLibrary {
     int (*setBufferSize)(JackClient*, std::uint32_t frames) = nullptr;
     std::uint32_t (*sampleRate)(JackClient*) = nullptr;
     std::uint32_t (*bufferSize)(JackClient*) = nullptr;
+    std::uint32_t (*frameTime)(const JackClient*) = nullptr; ///< at which this period began; wraps
     JackPort* (*portRegister)(JackClient*, const char* name, const char* type, unsigned long flags,
                               unsigned long bufferSize) = nullptr;
     void* (*portBuffer)(JackPort*, std::uint32_t frames) = nullptr;

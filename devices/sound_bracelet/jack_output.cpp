@@ -99,8 +99,9 @@ core::Expected<void> JackOutput::start() {
             JackText::tr("Another program plays on %1.").arg(QString::fromStdString(m_where)),
             JackText::tr("it to be disconnected, or shared = true in the device file"));
     TELETA_CHECK(registerPorts());
-    if (m_jack.bufferSize(m_client) != m_file.period_frames)
-        m_jack.setBufferSize(m_client, m_file.period_frames);
+    setCallbacks();
+    // Also where it is the period already: PipeWire would change it when another program comes.
+    (void)m_jack.setBufferSize(m_client, m_file.period_frames);
     if (m_jack.activate(m_client) != 0)
         return unavailable(JackText::tr("The sound server does not start the connection."));
     m_active = true;
@@ -183,12 +184,15 @@ core::Expected<void> JackOutput::registerPorts() {
             return unavailable(JackText::tr("The sound server gives no port for a tactor."));
         m_portNames[i] = m_jack.portName(m_ports[i]);
     }
+    return {};
+}
+
+void JackOutput::setCallbacks() {
     m_jack.onShutdown(m_client, ended, this);
     m_jack.setProcess(m_client, process, this);
     m_jack.setRateCallback(m_client, rateChanged, this);
     m_jack.setXrunCallback(m_client, missedPeriod, this);
     m_jack.setConnectCallback(m_client, connectionsChanged, this);
-    return {};
 }
 
 core::Expected<void> JackOutput::connectPorts() {
@@ -266,6 +270,7 @@ int JackOutput::process(std::uint32_t frames, void* self) {
     const std::int64_t now_ns = core::steadyNow_ns();
     if (frames != output.m_file.period_frames && output.m_playing.load(std::memory_order_acquire))
         output.m_engine.fail(SoundFault::periodChanged);
+    output.countMissedPeriods(frames);
     ToneEngine::Outputs outputs;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         auto* const samples = static_cast<float*>(output.m_jack.portBuffer(output.m_ports[i], frames));
@@ -279,6 +284,15 @@ int JackOutput::process(std::uint32_t frames, void* self) {
     return 0;
 }
 
+/// A server does not tell each one: PipeWire leaves out the first.
+void JackOutput::countMissedPeriods(std::uint32_t frames) {
+    const std::uint32_t begin = m_jack.frameTime(m_client);
+    const bool told = m_told.exchange(false, std::memory_order_acq_rel);
+    if (m_nextFrame && begin != *m_nextFrame && !told && m_playing.load(std::memory_order_acquire))
+        m_engine.missPeriod();
+    m_nextFrame = begin + frames;
+}
+
 int JackOutput::rateChanged(std::uint32_t rate_Hz, void* self) {
     auto& output = *static_cast<JackOutput*>(self);
     if (rate_Hz != output.m_file.sampleRate_Hz)
@@ -287,7 +301,9 @@ int JackOutput::rateChanged(std::uint32_t rate_Hz, void* self) {
 }
 
 int JackOutput::missedPeriod(void* self) {
-    static_cast<JackOutput*>(self)->m_engine.missPeriod();
+    auto& output = *static_cast<JackOutput*>(self);
+    output.m_told.store(true, std::memory_order_release);
+    output.m_engine.missPeriod();
     return 0;
 }
 

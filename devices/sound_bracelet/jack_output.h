@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,12 +36,15 @@ private:
     [[nodiscard]] core::Expected<void> start();
     [[nodiscard]] core::Expected<void> findOutputs();
     [[nodiscard]] core::Expected<void> registerPorts();
+    void setCallbacks();
     [[nodiscard]] core::Expected<void> connectPorts();
     [[nodiscard]] core::Expected<void> awaitPeriod();
     void readLatency();
     [[nodiscard]] bool isConnected() const;
     [[nodiscard]] bool isShared() const;
     [[nodiscard]] std::vector<std::string> namesOf(const std::string& port) const;
+
+    void countMissedPeriods(std::uint32_t frames);
 
     static int process(std::uint32_t frames, void* self);
     static int rateChanged(std::uint32_t rate_Hz, void* self);
@@ -60,8 +64,10 @@ private:
     std::vector<float> m_unheard; ///< of ports without a buffer
     std::string m_where;
     double m_statedLatency_s = 0.0;
-    std::atomic<bool> m_playing{false}; ///< opened: from now on a change is a fault
-    std::atomic<bool> m_changed{false}; ///< connections, since the last look
+    std::atomic<bool> m_playing{false};       ///< opened: from now on a change is a fault
+    std::atomic<bool> m_changed{false};       ///< connections, since the last look
+    std::atomic<bool> m_told{false};          ///< of a missed period, since the last callback
+    std::optional<std::uint32_t> m_nextFrame; ///< the callback's own: when the next period should begin
 };
 
 } // namespace teleta::sound

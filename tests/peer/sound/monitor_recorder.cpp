@@ -20,7 +20,8 @@ MonitorRecorder::~MonitorRecorder() {
 
 void MonitorRecorder::stop() {
     if (m_client != nullptr)
-        m_jack.clientClose(std::exchange(m_client, nullptr));
+        m_jack.clientClose(m_client);
+    m_client = nullptr;
 }
 
 bool MonitorRecorder::start(const std::string& library, const std::array<std::string, kChannels>& ports,
@@ -64,6 +65,10 @@ int MonitorRecorder::process(std::uint32_t frames, void* self) {
     const std::int64_t now_ns = core::steadyNow_ns();
     const std::size_t at = recorder.m_count.load(std::memory_order_relaxed);
     const std::size_t kept = std::min<std::size_t>(frames, recorder.m_samples[0].size() - at);
+    const std::uint32_t begin = recorder.m_jack.frameTime(recorder.m_client);
+    if (recorder.m_steady.load() > 0 && begin != recorder.m_nextFrame)
+        recorder.m_missed.fetch_add(1);
+    recorder.m_nextFrame = begin + frames;
     recorder.m_steady.store(frames == recorder.m_period_frames ? recorder.m_steady.load() + 1 : 0);
     std::size_t silent = frames;
     std::array<const float*, kChannels> inputs{};

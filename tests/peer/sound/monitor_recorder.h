@@ -48,6 +48,7 @@ private:
     std::array<sound::JackPort*, kChannels> m_ports{};
     std::array<std::vector<float>, kChannels> m_samples;
     std::uint32_t m_period_frames = 0;
+    std::uint32_t m_nextFrame = 0;        ///< the callback's own
     std::atomic<std::size_t> m_steady{0}; ///< callbacks with this period in a row
     std::atomic<std::size_t> m_count{0};
     std::atomic<std::size_t> m_silent{0};

@@ -49,10 +49,8 @@ TEST_F(SoundAlsaPeer, playsAndIsSilentOnStop) {
     EXPECT_TRUE(eventually([&] { return m_recorder.silentFor() > before + 4800; }))
         << "nothing was asked for";
     playback::Player player(*m_bracelet, m_stop);
-    player.play({[](double) { return core::Intensities{1, 1, 1, 1, 1, 1}; },
-                 std::numeric_limits<double>::infinity()});
-    EXPECT_TRUE(eventually([this] { return m_recorder.hears(); }));
-    EXPECT_TRUE(eventually([this] { return m_bracelet->telemetry().board.driving; }));
+    EXPECT_TRUE(
+        playUntil(player, [this] { return m_recorder.hears() && m_bracelet->telemetry().board.driving; }));
     m_stop.engage();
     EXPECT_TRUE(eventually([this] { return m_recorder.silentFor() > 9600; }));
     EXPECT_GE(m_bracelet->description().statedLatency_s, 3.0 * kPeriod / 48'000.0);

@@ -154,9 +154,7 @@ core::Expected<FoundDevice> probeSound(const std::string& path) {
     const core::DeviceStatus status = bracelet.status();
     if (bracelet.connection() == 0)
         found.error = core::Error{core::ErrorKind::unavailable, status.message, {}, {found.where}};
-    found.values = {{"sample_rate", static_cast<double>(file.sampleRate_Hz), "Hz"},
-                    {"period", file.period_s(), "s"},
-                    {"stated_latency", description.statedLatency_s, "s"}};
+    found.values = {{"period", file.period_s(), "s"}, {"stated_latency", description.statedLatency_s, "s"}};
     if (const auto& sound = bracelet.telemetry().board.sound) {
         found.values.push_back({"callback_share", sound->meanShare, "1"});
         found.values.push_back({"missed_periods", static_cast<double>(sound->missedPeriods), "1"});
