@@ -65,7 +65,7 @@ PatternEditor::PatternEditor(QWidget* parent)
     all->addWidget(m_library);
     all->addWidget(right);
     all->setStretchFactor(1, 1);
-    all->setSizes({base::em(this, 19), base::em(this, 60)});
+    all->setSizes({base::em(this, 22), base::em(this, 57)});
     for (QSplitter* splitter : {m_numbers, m_below, right, all})
         splitter->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);

@@ -37,7 +37,7 @@ constexpr QSizeF kPicture_em(3.5, 1.6);
 constexpr QSizeF kSmallPicture_em(1.3, 1.3);
 constexpr double kIndent_em = 0.9;
 constexpr double kSmallIndent_em = 0.35;
-constexpr double kAroundText_em = 1.0; ///< margins of the style beside picture and text
+constexpr double kAroundText_em = 0.75; ///< margins of the style beside picture and text
 
 } // namespace
 
@@ -134,14 +134,18 @@ bool PatternLibrary::fitPictures() {
     const auto inPixels = [this](const QSizeF& size_em) {
         return QSize(base::em(this, size_em.width()), base::em(this, size_em.height()));
     };
-    const QFontMetrics names(base::bold(m_tree->font()));
     int longest = 0;
     int lengths = 0;
     for (QTreeWidgetItemIterator at(m_tree); *at; ++at) {
         if ((*at)->icon(0).isNull())
             continue;
-        longest = std::max(longest, names.horizontalAdvance((*at)->text(0)));
-        lengths = std::max(lengths, names.horizontalAdvance((*at)->text(1)));
+        const auto widthOf = [&](int column) {
+            const bool isBold = column == 0 && (*at)->data(0, kKey).toString() == m_current;
+            return QFontMetrics(isBold ? base::bold(m_tree->font()) : m_tree->font())
+                .horizontalAdvance((*at)->text(column));
+        };
+        longest = std::max(longest, widthOf(0));
+        lengths = std::max(lengths, widthOf(1));
     }
     lengths += base::em(this, kAroundText_em);
     // Patterns are a level below their groups.

@@ -83,6 +83,10 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     m_kinematics = arm::Arm4Kinematics({.upperArmLength_m = description.upperArmLength_m,
                                         .forearmLength_m = description.forearmLength_m,
                                         .halfThickness_m = description.halfThickness_m});
+    m_joints->setTip([this, tip = Eigen::Vector3d(description.forearmLength_m, 0.0, 0.0)](
+                         const core::JointSample& sample) -> Eigen::Vector3d {
+        return m_kinematics.p_Base_Point(arm::Link::forearm, arm::JointVector(sample.angle_rad.data()), tip);
+    });
     m_gauge->setProvenance(provenance);
     m_touches->setProvenance(provenance);
     m_sheet->setProvenance(provenance);
@@ -203,8 +207,6 @@ void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
     // The sheet's z points out of the skin: at its centre that is +z of the forearm, turned by the side.
     m_scene.setSensorPose(X_Base_Forearm * Eigen::Translation3d(description.skin.centreDistance_m, 0.0, 0.0) *
                           Eigen::AngleAxisd(description.skin.centreSide_rad, Eigen::Vector3d::UnitX()));
-    m_scene.setTip(X_Base_Forearm * Eigen::Vector3d(description.forearmLength_m, 0.0, 0.0),
-                   snapshot.newest.sourceTime_s);
     m_scene.setJoints(armDials(m_kinematics, description, angle_rad));
     // What a direction without a lever hides is not known: no arrow rather than a wrong one.
     const auto& contact = snapshot.contact;

@@ -21,6 +21,8 @@ namespace {
 constexpr double kThickness = 0.035;
 constexpr double kThinnest_m = 0.005;
 constexpr double kShortest_m = 1e-3;
+/// Time between two places of the tip's trail.
+constexpr double kTipStep_s = 0.02;
 
 /// The device says that the joints are not known any more: what moves the arm by them would be blind.
 bool readingsAreOld(const pipeline::JointChannel& arm) {
@@ -63,6 +65,10 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
         m_jog->setArm(std::nullopt);
         return;
     }
+    if (const auto chain = m_arm->chain())
+        m_tipOf = [chain](const core::JointSample& sample) -> Eigen::Vector3d {
+            return chain->X_Base_Tip(sample.angle_rad).translation();
+        };
     m_chart->setProvenance(provenance);
     m_chart->setJoints(m_arm->description().joints());
     m_jog->setArm(m_arm->description(), m_arm->chain());
@@ -83,6 +89,7 @@ void JointViews::clear() {
         m_scene.setArmLinks({});
         m_scene.forgetArm();
     }
+    m_tipOf = {};
     m_asked = false;
     m_silent = false;
     m_sample_ns = m_sampleCame_ns = 0;
@@ -119,6 +126,7 @@ void JointViews::tick() {
         if (!m_samples.empty())
             show(m_samples.back());
         m_chart->append(m_samples);
+        followTip();
         m_jog->setDrive(m_arm->device().drive());
         m_jog->setHindrance(QString::fromStdString(m_arm->device().hindrance()));
     }
@@ -145,6 +153,18 @@ bool JointViews::readingsWait() {
     return now_ns - m_sampleCame_ns > core::staleAfter_ns(m_arm->description().nominalRate_Hz);
 }
 
+/// All that came, however late this tick is: the trail has no gaps where only the screen was slow.
+void JointViews::followTip() {
+    for (const core::JointSample& sample : m_samples) {
+        const bool isDue = !(std::abs(sample.sourceTime_s - m_tip_s) < kTipStep_s);
+        if (!m_tipOf || sample.angle_rad.size() != m_arm->description().joints() ||
+            !(isDue || &sample == &m_samples.back()))
+            continue;
+        m_tip_s = sample.sourceTime_s;
+        m_scene.setTip(m_tipOf(sample), sample.sourceTime_s);
+    }
+}
+
 void JointViews::showChain(const core::JointSample& sample) {
     const arm_model::SerialChain& chain = *m_arm->chain();
     if (sample.angle_rad.size() != chain.joints())
@@ -169,7 +189,6 @@ void JointViews::showChain(const core::JointSample& sample) {
     for (view3d::ArmLink& link : links)
         link.radius_m = radius_m;
     m_scene.setArmLinks(links);
-    m_scene.setTip(from_m, sample.sourceTime_s);
     m_scene.setJoints(chainDials(chain, sample.angle_rad, radius_m));
 }
 

@@ -9,10 +9,14 @@
 
 #include <QObject>
 
+#include <Eigen/Core>
+
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace teleta::touch {
@@ -45,6 +49,10 @@ public:
     void refresh() { m_chart->refresh(); }
     /// Shows where the joints are.
     void show(const core::JointSample& sample);
+    /// Where the tip of the arm is in the base, of which the 3-D view draws the trail; empty: it is not
+    /// known.
+    using TipOf = std::function<Eigen::Vector3d(const core::JointSample&)>;
+    void setTip(TipOf tipOf) { m_tipOf = std::move(tipOf); }
     /// Whether touches are evaluated: the chart has the window of their torques then, otherwise the angles.
     void setTouching(bool touching);
     /// The arm tells nothing any more.
@@ -60,6 +68,7 @@ signals:
     void exportFailed(const QString& message);
 
 private:
+    void followTip();
     void showChain(const core::JointSample& sample);
     void post(const core::JointVector& rate_radPerS);
     bool readingsWait();
@@ -76,7 +85,9 @@ private:
     std::map<std::weak_ptr<pipeline::JointChannel>, charts::JointChartView::Content, std::owner_less<>>
         m_kept;
     std::vector<core::JointSample> m_samples; ///< of a tick
-    bool m_asked = false;                     ///< the last command was to move
+    TipOf m_tipOf;
+    double m_tip_s = 0.0; ///< of the arm, when the tip was told last
+    bool m_asked = false; ///< the last command was to move
     bool m_silent = false;
     std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
     std::int64_t m_sampleCame_ns = 0; ///< when it was seen first

@@ -213,6 +213,7 @@ private:
         view.show();
         if (!QTest::qWaitForWindowExposed(&view))
             return {};
+        (void)pictureOf(view); // what is shown comes later than the view
         example.show(view);
         return pictureOf(view, example.part);
     }

@@ -12,6 +12,7 @@ namespace teleta::view3d {
 /// Where the tip of an arm was during the last seconds, as a line that fades. World frame. Thread: one.
 class TrailPart {
 public:
+    TrailPart() { m_line.showThrough(); } // the tip is inside of the arm's end
     void addTo(vtkRenderer* renderer) { renderer->AddActor(m_line.actor); }
     void setVisible(bool visible) { m_line.actor->SetVisibility(visible); }
     void applyColours(const SceneColours& colours);
