@@ -11,9 +11,9 @@
 namespace teleta::described {
 
 /// Opens the bracelet that a TOML file describes, by its kind: "modbus" (modbus::RegisterMap with motors),
-/// "hid_bracelet" (bracelet::readHidBracelet) or "sound_bracelet" (sound::readSoundBracelet). stop must outlive
-/// it. Error: badInput with file, line and
-/// column, or why the device cannot be reached. Thread: any; it may wait for the device.
+/// "hid_bracelet" (bracelet::readHidBracelet) or "sound_bracelet" (sound::readSoundBracelet). stop must
+/// outlive it. Error: badInput with file, line and column, or why the device cannot be reached. Thread: any;
+/// it may wait for the device.
 [[nodiscard]] core::Expected<std::unique_ptr<core::BraceletLink>> openBracelet(const std::string& path,
                                                                                const core::StopSwitch& stop);
 
