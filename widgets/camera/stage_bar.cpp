@@ -62,15 +62,28 @@ QString StageBar::nameOf(std::size_t stage) {
     return tr(kNames[stage]);
 }
 
-QString StageBar::text() const {
+QStringList StageBar::parts() const {
     if (!m_rung)
         return {};
-    QString text =
-        tr("%1 ms per frame, %2 frames/s").arg(m_wholeShown.text().trimmed(), m_rateShown.text().trimmed());
-    text += QStringLiteral(" \u00b7 ") + tr("%n skipped", nullptr, static_cast<int>(m_passedOver));
+    QStringList parts{
+        tr("%1 ms per frame, %2 frames/s").arg(m_wholeShown.text().trimmed(), m_rateShown.text().trimmed())};
+    parts << tr("%n skipped", nullptr, static_cast<int>(m_passedOver));
     if (m_unusable > 0)
-        text += QStringLiteral(" \u00b7 ") + tr("%n unusable", nullptr, static_cast<int>(m_unusable));
-    return text;
+        parts << tr("%n unusable", nullptr, static_cast<int>(m_unusable));
+    return parts;
+}
+
+QString StageBar::text() const {
+    return parts().join(QStringLiteral(" \u00b7 "));
+}
+
+QString StageBar::shownText() const {
+    const QFontMetricsF metrics(base::sized(font(), base::kSmallText));
+    QStringList shown = parts();
+    while (shown.size() > 1 &&
+           base::tabularWidth(metrics, shown.join(QStringLiteral(" \u00b7 "))) + 2.0 > width())
+        shown.removeLast();
+    return shown.join(QStringLiteral(" \u00b7 "));
 }
 
 QSize StageBar::sizeHint() const {
@@ -81,6 +94,8 @@ bool StageBar::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     QStringList lines;
+    if (m_rung)
+        lines << text();
     for (std::size_t i = 0; i < m_stage_ms.size() && m_rung; ++i)
         lines << tr("%1: %2 ms", "stage of a computation and its time")
                      .arg(nameOf(i))
@@ -107,9 +122,9 @@ void StageBar::paintEvent(QPaintEvent*) {
     painter.setFont(small);
     const double line = base::em(this, kHeight_em) - bar;
     // The important text keeps its place at the right end.
-    const QString summary = text();
+    const QString summary = shownText();
     const double summaryWidth = base::tabularWidth(metrics, summary);
-    const QRectF summaryRect(width() - summaryWidth - 2.0, bar, summaryWidth + 2.0, line);
+    const QRectF summaryRect(std::max(0.0, width() - summaryWidth - 2.0), bar, summaryWidth + 2.0, line);
     for (std::size_t i = 0; i < m_stage_ms.size(); ++i) {
         const double width_px = m_stage_ms[i] / full_ms * width();
         const QColor colour = base::identityColour(static_cast<int>(i) + 1, dark);

@@ -4,6 +4,7 @@
 #include "backend/pipeline/camera_snapshot.h"
 #include "widgets/base/numbers/number_format.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <array>
@@ -23,7 +24,10 @@ public:
 
     /// Averaged time of all stages, ms.
     [[nodiscard]] double whole_ms() const { return m_whole_ms; }
+    /// All that is told; the tool tip has it too.
     [[nodiscard]] QString text() const;
+    /// As much of it as there is room for, the time of a frame at least.
+    [[nodiscard]] QString shownText() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {1, sizeHint().height()}; }
 
@@ -33,6 +37,7 @@ protected:
 
 private:
     [[nodiscard]] static QString nameOf(std::size_t stage);
+    [[nodiscard]] QStringList parts() const;
 
     std::array<double, vision::kFinderStages> m_stage_ms{};
     double m_whole_ms = 0.0;

@@ -246,6 +246,22 @@ private slots:
         QCOMPARE(panel.stages().whole_ms(), 24.9); // another rung begins anew
     }
 
+    void aNarrowBarOfStagesSaysLessAndCutsNothing() {
+        camera::StageBar bar;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        snapshot.passedOver = 22;
+        bar.setSnapshot(&snapshot, 40.0);
+        bar.resize(bar.fontMetrics().height() * 40, 40);
+        QCOMPARE(bar.shownText(), bar.text());
+        QVERIFY(bar.text().contains("22 skipped"));
+        bar.resize(bar.fontMetrics().horizontalAdvance(bar.text()) / 2, 40);
+        QVERIFY(bar.shownText() != bar.text());
+        QVERIFY(bar.text().startsWith(bar.shownText()));
+        QVERIFY(bar.shownText().contains("ms"));
+        bar.setSnapshot(nullptr, 0.0);
+        QVERIFY(bar.shownText().isEmpty());
+    }
+
     void thePictureIsExportedWithItsContactsAsData() {
         CameraView view;
         view.resize(400, 300);
