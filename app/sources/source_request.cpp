@@ -2,11 +2,14 @@
 #include "app/sources/source_request.h"
 
 #include "app/common/scene_file.h"
+#include "backend/core/beside_file.h"
 #include "backend/core/data/array_guess.h"
 #include "backend/core/data/frame_file.h"
+#include "backend/core/failure.h"
 #include "backend/equilibration/taxel_gain_file.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
@@ -16,6 +19,7 @@
 #include "backend/simulation/camera/tube_camera.h"
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/vision/calibration/camera_file.h"
+#include "backend/vision/gel/marker_gel_file.h"
 #include "devices/camera/camera_device.h"
 #include "devices/link/link_address.h"
 #include "devices/replay/playback_config.h"
@@ -29,6 +33,7 @@
 #include "devices/taxels/taxels_probe.h"
 #include "devices/wts/wts_device.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <utility>
@@ -36,6 +41,10 @@
 namespace teleta::app {
 
 namespace {
+
+struct SourceText {
+    Q_DECLARE_TR_FUNCTIONS(SourceRequest)
+};
 
 using Opened = std::shared_ptr<pipeline::Channel>;
 
@@ -135,6 +144,24 @@ core::Expected<Opened> openCamera(const CameraRequest& request, const core::Stop
     return *channel;
 }
 
+core::Expected<Opened> openGel(const GelRequest& request) {
+    TELETA_TRY(auto file, vision::readMarkerGel(request.path));
+    if (file.source.empty())
+        return core::failed(core::ErrorKind::badInput,
+                            SourceText::tr("the sensor file names no camera and no video"),
+                            SourceText::tr("a key \"source\""), {request.path});
+    camera::CameraConfig config;
+    config.source =
+        camera::isCameraNumber(file.source) ? file.source : core::besideFile(request.path, file.source);
+    config.rate_Hz = file.rate_Hz;
+    config.channel = static_cast<camera::VideoChannel>(file.channel); // of the same order
+    config.loop = request.loop;
+    TELETA_TRY(auto feed, camera::CameraDevice::open(std::move(config)));
+    auto channel = pipeline::GelChannel::make(std::move(feed), std::move(file));
+    TELETA_CHECK(channel);
+    return *channel;
+}
+
 /// An arm without a skin: what it touches is not known.
 core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop,
                                   const std::function<bool()>& cancelled) {
@@ -200,6 +227,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(remote->path);
     if (const auto* described = std::get_if<TaxelsRequest>(&request))
         return QString::fromStdString(described->path);
+    if (const auto* gel = std::get_if<GelRequest>(&request))
+        return QString::fromStdString(gel->path);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -245,6 +274,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openRemote(site, *remote);
         if (const auto* described = std::get_if<TaxelsRequest>(&request))
             return openTaxels(*described, cancelled);
+        if (const auto* gel = std::get_if<GelRequest>(&request))
+            return openGel(*gel);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLargest = 1e12;
 
-/// Empty: the stream is one of references.
+/// Empty: the stream is one of references, or of a flat gel.
 core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Recording& recording,
                                                              std::size_t number) {
     const recording::StreamInfo& stream = recording.streams()[number];
@@ -25,7 +25,8 @@ core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Re
     if (!document)
         return notDescribed(stream, recording.path(), document.error());
     core::JsonReader reader(*document);
-    if (reader.boolean(reader.root(), "reference", false))
+    const bool isGel = !reader.text(reader.root(), "marker_gel", {}).empty();
+    if (isGel || reader.boolean(reader.root(), "reference", false))
         return std::optional<RecordedCamera>();
     const nlohmann::ordered_json& camera = reader.member(reader.root(), "camera");
     vision::BumpDetector::Settings bump;
