@@ -57,6 +57,7 @@ enum Section {
     cameraSource,
     armSource,
     taxelsSource,
+    gelSource,
     sections
 };
 
@@ -109,7 +110,8 @@ const std::vector<PageWords>& pages() {
           "Weiss array",
           "Camera",
           "Arm over ROS 2",
-          "Array of any make"}},
+          "Array of any make",
+          "Flat gel with markers"}},
         {"fr",
          "Fichiers",
          "Les scènes, les protocoles d'étude, les appareils et les listes de sources sont des fichiers TOML. "
@@ -160,7 +162,8 @@ const std::vector<PageWords>& pages() {
           "Réseau Weiss",
           "Caméra",
           "Bras sur ROS 2",
-          "Matrice quelconque"}},
+          "Matrice quelconque",
+          "Gel plat à marqueurs"}},
         {"ja",
          "ファイル",
          "シーン、実験計画、機器、ソースの一覧は TOML "
@@ -209,7 +212,8 @@ const std::vector<PageWords>& pages() {
           "Weiss アレイ",
           "カメラ",
           "ROS 2のアーム",
-          "任意のアレイ"}},
+          "任意のアレイ",
+          "マーカー付きの平らなゲル"}},
         {"zh_CN",
          "文件",
          "场景、实验方案、设备和信号源列表都是 TOML 文件。本页列出程序从中读取的所有键。键名以单位结尾。"
@@ -256,7 +260,8 @@ const std::vector<PageWords>& pages() {
           "Weiss 阵列",
           "摄像头",
           "通过 ROS 2 的机械臂",
-          "任意阵列"}},
+          "任意阵列",
+          "带标记的平面凝胶"}},
     };
     return kPages;
 }
@@ -343,6 +348,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, cameraSource, sourceOf(app::SourceKind::camera));
     page.part(3, armSource, sourceOf(app::SourceKind::arm));
     page.part(3, taxelsSource, sourceOf(app::SourceKind::taxels));
+    page.part(3, gelSource, sourceOf(app::SourceKind::gel));
     return page.text();
 }
 
