@@ -3272,6 +3272,38 @@ Exemples&#xa0;:
         <source>Camera</source>
         <translation>Caméra</translation>
     </message>
+    <message>
+        <source>Balls press a flat gel</source>
+        <translation>Des billes pressent un gel plat</translation>
+    </message>
+    <message>
+        <source>Markers on the skin of a flat gel move apart under two balls</source>
+        <translation>Les marqueurs de la peau d’un gel plat s’écartent sous deux billes</translation>
+    </message>
+    <message>
+        <source>A ball shears a flat gel</source>
+        <translation>Une bille cisaille un gel plat</translation>
+    </message>
+    <message>
+        <source>It is dragged to and fro and sticks but for a narrow rim</source>
+        <translation>Elle est traînée en va-et-vient et adhère, sauf un bord étroit</translation>
+    </message>
+    <message>
+        <source>A ball slips on a flat gel</source>
+        <translation>Une bille glisse sur un gel plat</translation>
+    </message>
+    <message>
+        <source>A ring of slip grows from the rim of the contact to its middle</source>
+        <translation>Un anneau de glissement s’étend du bord du contact vers son centre</translation>
+    </message>
+    <message>
+        <source>A ball twists a flat gel</source>
+        <translation>Une bille tord un gel plat</translation>
+    </message>
+    <message>
+        <source>It is turned about the normal, and the skin turns with it</source>
+        <translation>Elle tourne autour de la normale, et la peau tourne avec elle</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3398,12 +3430,24 @@ Exemples&#xa0;:
         <translation>ce qui en est venu ne contient aucune trame telle que le fichier la décrit</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; or &quot;xela&quot;</source>
-        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot; ou &quot;xela&quot;</translation>
+        <source>the sensor file names no camera and no video</source>
+        <translation>le fichier du capteur n’indique ni caméra ni vidéo</translation>
     </message>
     <message>
-        <source>Of a described array: show so many of the bytes that it sends</source>
-        <translation>D’une matrice décrite&#xa0;: montrer tant d’octets de ceux qu’elle envoie</translation>
+        <source>a key &quot;source&quot;</source>
+        <translation>une clé «&#xa0;source&#xa0;»</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;marker_gel&quot;</source>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; ou &quot;marker_gel&quot;</translation>
+    </message>
+    <message>
+        <source>Flat gel with markers</source>
+        <translation>Gel plat à marqueurs</translation>
+    </message>
+    <message>
+        <source>Of a described array: show at most so many of the bytes that it sends until a second after its first frame</source>
+        <translation>D’une matrice décrite&#xa0;: montrer au plus ce nombre d’octets parmi ceux qu’elle envoie jusqu’à une seconde après sa première trame</translation>
     </message>
 </context>
 <context>
@@ -4472,6 +4516,80 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>GelFollower</name>
+    <message>
+        <source>The picture could not be decoded.</source>
+        <translation>L’image n’a pas pu être décodée.</translation>
+    </message>
+    <message>
+        <source>The gel at rest cannot be taken: %1</source>
+        <translation>Le gel au repos ne peut pas être pris&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast: is the camera covered?</source>
+        <translation>L’image n’a pas de contraste&#xa0;: la caméra est-elle couverte&#xa0;?</translation>
+    </message>
+    <message>
+        <source>More than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>Plus de 30&#xa0;% des marqueurs sont perdus depuis 1&#xa0;s&#xa0;: le gel est-il déchiré&#xa0;?</translation>
+    </message>
+    <message>
+        <source>The light has jumped.</source>
+        <translation>La lumière a changé brusquement.</translation>
+    </message>
+</context>
+<context>
+    <name>GelPicture</name>
+    <message>
+        <source>slip %1</source>
+        <translation>glissement %1</translation>
+    </message>
+    <message>
+        <source>slip unknown</source>
+        <translation>glissement inconnu</translation>
+    </message>
+    <message>
+        <source>Contact %1</source>
+        <translation>Contact %1</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>en %1, %2</translation>
+    </message>
+    <message>
+        <source>area %1 mm²</source>
+        <translation>aire %1 mm²</translation>
+    </message>
+    <message>
+        <source>shear %1 at %2°</source>
+        <translation>cisaillement %1 à %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>tourné de %1°</translation>
+    </message>
+    <message>
+        <source>slip index %1</source>
+        <translation>indice de glissement %1</translation>
+    </message>
+    <message>
+        <source>too few markers for a slip index</source>
+        <translation>trop peu de marqueurs pour un indice de glissement</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>Pas encore d’image</translation>
+    </message>
+    <message>
+        <source>%1 mm (enlarged %2 times)</source>
+        <translation>%1 mm (agrandi %2 fois)</translation>
+    </message>
+    <message>
+        <source>PAUSED</source>
+        <translation>EN PAUSE</translation>
+    </message>
+</context>
+<context>
     <name>GelPlane</name>
     <message>
         <source>The lens in the file folds within the picture.</source>
@@ -4488,6 +4606,24 @@ Exemples&#xa0;:
     <message>
         <source>a matrix that maps the picture onto a plane</source>
         <translation>une matrice qui projette l’image sur un plan</translation>
+    </message>
+</context>
+<context>
+    <name>GelRun</name>
+    <message>
+        <source>the gel at rest could not be found: %1</source>
+        <translation>le gel au repos n’a pas été trouvé&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>GelText</name>
+    <message>
+        <source>Only %1 markers were found in the picture.</source>
+        <translation>Seuls %1 marqueurs ont été trouvés dans l’image.</translation>
+    </message>
+    <message>
+        <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
+        <translation>au moins %1 taches rondes d’une même taille&#xa0;; vérifiez channel, marker et diameter_px dans le fichier du capteur</translation>
     </message>
 </context>
 <context>
@@ -5293,10 +5429,6 @@ Exemples&#xa0;:
         <translation>impossible de se connecter à %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 is no file</source>
-        <translation>%1 n’est pas un fichier</translation>
-    </message>
-    <message>
         <source>The link failed: %1.</source>
         <translation>La liaison a échoué&#xa0;: %1.</translation>
     </message>
@@ -5319,6 +5451,14 @@ Exemples&#xa0;:
     <message>
         <source>no answer</source>
         <translation>sans réponse</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a file</source>
+        <translation>%1 est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>The other program closed the pipe.</source>
+        <translation>L’autre programme a fermé le tube.</translation>
     </message>
 </context>
 <context>
@@ -5376,22 +5516,6 @@ Exemples&#xa0;:
     <message>
         <source>a picture of the gel&apos;s markers</source>
         <translation>une image des marqueurs du gel</translation>
-    </message>
-    <message>
-        <source>The picture shows no markers: %1 were found.</source>
-        <translation>L’image ne montre pas de marqueurs&#xa0;: %1 ont été trouvés.</translation>
-    </message>
-    <message>
-        <source>at least %1 round %2 spots of one size</source>
-        <translation>au moins %1 taches rondes, %2 et de même taille</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>claires</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>sombres</translation>
     </message>
     <message>
         <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
@@ -5464,24 +5588,12 @@ Exemples&#xa0;:
 <context>
     <name>MarkersCommand</name>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
-        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images</translation>
-    </message>
-    <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>Fichier du capteur, de kind «&#xa0;marker_gel&#xa0;»</translation>
     </message>
     <message>
-        <source>Print what was found in all, without the table</source>
-        <translation>Afficher un bilan, sans le tableau</translation>
-    </message>
-    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>un bilan est affiché&#xa0;; --out écrit le tableau</translation>
-    </message>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>la caméra n’envoie plus d’images</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5566,6 +5678,41 @@ Exemples&#xa0;:
     <message>
         <source>Follow the markers of a flat gel in a video</source>
         <translation>Suivre les marqueurs d’un gel plat dans une vidéo</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images. Par défaut&#xa0;: la source que le fichier du capteur indique</translation>
+    </message>
+    <message>
+        <source>Print a summary instead of the table</source>
+        <translation>Afficher un bilan au lieu du tableau</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>aucune vidéo n’est donnée et le fichier du capteur n’indique pas de source</translation>
+    </message>
+    <message>
+        <source>contact %1</source>
+        <translation>contact %1</translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s, centre (%3, %4) mm</source>
+        <translation>de %1 s à %2 s, centre (%3, %4) mm</translation>
+    </message>
+    <message>
+        <source>, slip index up to %1</source>
+        <translation>, indice de glissement jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>, slip at %1 s</source>
+        <translation>, glissement à %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>la caméra n’envoie plus d’images</translation>
     </message>
 </context>
 <context>
@@ -8915,6 +9062,10 @@ Run %2 --help for more.
         <source>the scene is not that of an arm with an operator</source>
         <translation>la scène n’est pas celle d’un bras avec un opérateur</translation>
     </message>
+    <message>
+        <source>the scene is not that of a flat gel</source>
+        <translation>la scène n’est pas celle d’un gel plat</translation>
+    </message>
 </context>
 <context>
     <name>SceneReader</name>
@@ -9005,6 +9156,22 @@ Run %2 --help for more.
     <message>
         <source>this scene cannot have the effect &quot;%1&quot;</source>
         <translation>cette scène ne peut pas avoir l’effet « %1 »</translation>
+    </message>
+    <message>
+        <source>the markers touch each other</source>
+        <translation>les marqueurs se touchent</translation>
+    </message>
+    <message>
+        <source>the markers do not fit into the picture</source>
+        <translation>les marqueurs ne tiennent pas dans l’image</translation>
+    </message>
+    <message>
+        <source>a grid smaller than %1 m x %2 m</source>
+        <translation>une grille plus petite que %1 m x %2 m</translation>
+    </message>
+    <message>
+        <source>this is deeper than the ball is round</source>
+        <translation>c’est plus profond que le rayon de la bille</translation>
     </message>
 </context>
 <context>
@@ -9871,6 +10038,17 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>%1 refuses: %2</source>
         <translation>%1 refuse&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SourceRequest</name>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>le fichier du capteur n’indique ni caméra ni vidéo</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>une clé «&#xa0;source&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -13154,10 +13332,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>TaxelsText</name>
     <message>
-        <source>&quot;%1&quot; are no hexadecimal bytes</source>
-        <translation>«&#xa0;%1&#xa0;» ne sont pas des octets hexadécimaux</translation>
-    </message>
-    <message>
         <source>up to %1 bytes, as &quot;AA 55&quot;</source>
         <translation>au plus %1 octets, comme «&#xa0;AA 55&#xa0;»</translation>
     </message>
@@ -13363,20 +13537,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>sans seuil, on ne sait pas quels taxels sont touchés</translation>
     </message>
     <message>
-        <source>threshold = &quot;a load in the unit of the values&quot;</source>
-        <translation>threshold = &quot;une charge dans l’unité des valeurs&quot;</translation>
-    </message>
-    <message>
         <source>opening was cancelled</source>
         <translation>l’ouverture a été annulée</translation>
-    </message>
-    <message>
-        <source>only %1 of %2 frames came for the rest of the array</source>
-        <translation>seulement %1 trames sur %2 sont venues pour le repos de la matrice</translation>
-    </message>
-    <message>
-        <source>a sensor that sends, as the file describes it</source>
-        <translation>un capteur qui envoie, comme le fichier le décrit</translation>
     </message>
     <message>
         <source>numbers from 0 to %1, and at least one place with a taxel</source>
@@ -13385,6 +13547,22 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>numbers from 0 to %1, each once</source>
         <translation>des nombres de 0 à %1, chacun une fois</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of hexadecimal bytes</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une liste d’octets hexadécimaux</translation>
+    </message>
+    <message>
+        <source>threshold = a number in the unit of the values</source>
+        <translation>threshold = un nombre dans l’unité des valeurs</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 frames arrived while the tare was measured</source>
+        <translation>seules %1 trames sur %2 sont arrivées pendant la mesure de la tare</translation>
+    </message>
+    <message>
+        <source>frames as the file describes; check with teleta devices --probe FILE</source>
+        <translation>des trames telles que le fichier les décrit&#xa0;; vérifiez avec teleta devices --probe FILE</translation>
     </message>
 </context>
 <context>
@@ -15718,10 +15896,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::calibrate::StepList</name>
     <message>
-        <source>%1 of %2 running</source>
-        <translation>%1 sur %2 en cours</translation>
-    </message>
-    <message>
         <source>running</source>
         <translation>en cours</translation>
     </message>
@@ -15753,6 +15927,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>%1. %2: %3</source>
         <comment>number, name and state of a step</comment>
         <translation>%1. %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>running: %1 of %2</source>
+        <translation>en cours&#xa0;: %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -15914,6 +16092,17 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::camera::EventList</name>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::EventModel</name>
     <message>
         <source>touched</source>
@@ -15971,16 +16160,185 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>événements-caméra</translation>
     </message>
     <message>
-        <source>&amp;Clear the list</source>
-        <translation>&amp;Vider la liste</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Événements</translation>
-    </message>
-    <message>
         <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
         <translation>Ce qui est arrivé au tube, le plus récent en premier. Le menu contextuel copie et enregistre la liste.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventModel</name>
+    <message>
+        <source>touched</source>
+        <translation>touché</translation>
+    </message>
+    <message>
+        <source>incipient slip</source>
+        <translation>début de glissement</translation>
+    </message>
+    <message>
+        <source>SLIP</source>
+        <translation>GLISSEMENT</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>lâché</translation>
+    </message>
+    <message>
+        <source>rest taken</source>
+        <translation>repos pris</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>recommence</translation>
+    </message>
+    <message>
+        <source>picture is dark</source>
+        <translation>image sombre</translation>
+    </message>
+    <message>
+        <source>light jumped</source>
+        <translation>saut de lumière</translation>
+    </message>
+    <message>
+        <source>gel torn?</source>
+        <translation>gel déchiré&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Cisaillement</translation>
+    </message>
+    <message>
+        <source>Slip index</source>
+        <translation>Indice de glissement</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventTable</name>
+    <message>
+        <source>gel-events</source>
+        <translation>gel-evenements</translation>
+    </message>
+    <message>
+        <source>What happened to the gel, newest first. Shear is the mean displacement of the contact&apos;s markers less that of the others. The context menu copies and saves the list.</source>
+        <translation>Ce qui est arrivé au gel, le plus récent en premier. Le cisaillement est le déplacement moyen des marqueurs du contact, moins celui des autres. Le menu contextuel copie et enregistre la liste.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelPanel</name>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 of %2 markers</source>
+        <translation>%1 marqueurs sur %2</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>%1 ms par image, %2 images/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n sautée</numerusform>
+            <numerusform>%n sautées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unusable</source>
+        <translation>
+            <numerusform>%n inutilisable</numerusform>
+            <numerusform>%n inutilisables</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking the gel at rest: nothing may touch it (%n more picture(s)).</source>
+        <translation>
+            <numerusform>Prise du gel au repos&#xa0;: rien ne doit le toucher (encore %n image).</numerusform>
+            <numerusform>Prise du gel au repos&#xa0;: rien ne doit le toucher (encore %n images).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Displacement</source>
+        <translation>Dé&amp;placement</translation>
+    </message>
+    <message>
+        <source>Show how far each marker has moved from its place at rest</source>
+        <translation>Montrer de combien chaque marqueur s’est éloigné de sa position de repos</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarged</source>
+        <translation>&amp;Agrandi</translation>
+    </message>
+    <message>
+        <source>Enlargement of the arrows</source>
+        <translation>Agrandissement des flèches</translation>
+    </message>
+    <message>
+        <source>How many times longer than the displacement the arrows are</source>
+        <translation>Combien de fois les flèches sont plus longues que le déplacement</translation>
+    </message>
+    <message>
+        <source>New &amp;rest</source>
+        <translation>Nouveau &amp;repos</translation>
+    </message>
+    <message>
+        <source>Take the next pictures as the gel at rest: nothing may touch it</source>
+        <translation>Prendre les images suivantes comme gel au repos&#xa0;: rien ne doit le toucher</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; markers are still followed (Space)</source>
+        <translation>Figer l’image&#xa0;; les marqueurs sont toujours suivis (Espace)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelView</name>
+    <message>
+        <source>gel</source>
+        <translation>gel</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Reprendre</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the picture</source>
+        <translation>Mettre l’image en &amp;pause</translation>
+    </message>
+    <message>
+        <source>Take the gel at &amp;rest anew</source>
+        <translation>Prendre à nouveau le gel au &amp;repos</translation>
+    </message>
+    <message>
+        <source>Picture of the gel</source>
+        <translation>Image du gel</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the camera sees of the gel. Arrows show, enlarged, how far each marker has moved from its place at rest; a cross is a marker that is lost. Outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;The slip index is the share of the contact&apos;s markers that do not move with it: green while it sticks, amber when a part of it slips, red when all of it does.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ce que la caméra voit du gel. Les flèches montrent, agrandi, de combien chaque marqueur s’est éloigné de sa position de repos&#xa0;; une croix est un marqueur perdu. Les contours sont des contacts, chacun dans la couleur de son numéro.&lt;/p&gt;&lt;p&gt;L’indice de glissement est la part des marqueurs du contact qui ne bougent pas avec lui&#xa0;: vert tant qu’il adhère, ambre quand une partie glisse, rouge quand tout glisse.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -18947,6 +19305,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Run sheet</source>
         <translation>Relevé des objets</translation>
     </message>
+    <message>
+        <source>Gel</source>
+        <translation>Gel</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::OperatePage</name>
@@ -21739,12 +22101,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Annuler la dernière action sur la bibliothèque (Ctrl+Z dans la liste)</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The pattern in bold, with a sign in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Le motif en gras, précédé d’un signe, est ouvert dans l’éditeur&#xa0;; les touches valent pour celui qui est en surbrillance.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&lt;p&gt;A click or &lt;b&gt;Enter&lt;/b&gt; opens a pattern. Built-in patterns cannot be changed: the first edit creates a copy. Your own patterns: &lt;b&gt;F2&lt;/b&gt; renames, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates, &lt;b&gt;Delete&lt;/b&gt; deletes, &lt;b&gt;Ctrl+Z&lt;/b&gt; undoes that.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Un clic ou &lt;b&gt;Entrée&lt;/b&gt; ouvre un motif. Les motifs intégrés restent tels quels&#xa0;: la première modification en fait une copie. Parmi les vôtres&#xa0;: &lt;b&gt;F2&lt;/b&gt; renomme, &lt;b&gt;Ctrl+D&lt;/b&gt; duplique, &lt;b&gt;Suppr&lt;/b&gt; supprime, &lt;b&gt;Ctrl+Z&lt;/b&gt; annule cela.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Le motif en gras, précédé d’une barre, est ouvert dans l’éditeur&#xa0;; les touches agissent sur celui qui est mis en évidence.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -14,8 +14,10 @@
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/camera/scene_reaction.h"
+#include "backend/scene_run/gel/scene_gel.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 #include "backend/simulation/array/simulated_array.h"
+#include "backend/simulation/camera/gel/gel_camera.h"
 #include "backend/simulation/camera/tube_camera.h"
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/vision/calibration/camera_file.h"
@@ -131,6 +133,18 @@ core::Expected<Opened> openTube(const scene::Scene& scene, std::uint64_t seed, c
     return *channel;
 }
 
+core::Expected<Opened> openGelScene(const scene::Scene& scene, std::uint64_t seed,
+                                    const core::StopSwitch& stop) {
+    auto control = std::make_shared<core::SceneControl>();
+    TELETA_TRY(auto generator, simulation::makeGelCamera(scene, seed, control));
+    auto channel = pipeline::GelChannel::make(
+        std::make_unique<simulated::SimulatedCameraDevice>(std::move(generator), stop),
+        scene_run::gelFile(scene));
+    TELETA_CHECK(channel);
+    (*channel)->setScene(std::move(control));
+    return *channel;
+}
+
 core::Expected<Opened> openCamera(const CameraRequest& request, const core::StopSwitch& stop) {
     TELETA_TRY(auto model, vision::readCamera(request.modelPath));
     camera::CameraConfig config;
@@ -179,6 +193,8 @@ core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSw
         return openServo(scene, request.seed, stop);
     if (scene.isCamera())
         return openTube(scene, request.seed, stop);
+    if (scene.isGel())
+        return openGelScene(scene, request.seed, stop);
     TELETA_TRY(auto array, simulation::makeTactileArray(scene, request.seed));
     return openedArray(std::move(array), scene, stop);
 }

@@ -30,6 +30,7 @@ enum Section {
     arrayScene,
     armScene,
     cameraScene,
+    gelScene,
     servoScene,
     effects,
     taxelEffects,
@@ -84,6 +85,7 @@ const std::vector<PageWords>& pages() {
           "A tactile array",
           "An arm among objects",
           "A camera in a soft tube",
+          "A flat gel",
           "A servoing arm",
           "Effects",
           "Of any tactile array",
@@ -136,6 +138,7 @@ const std::vector<PageWords>& pages() {
           "Un réseau tactile",
           "Un bras parmi des objets",
           "Une caméra dans un tube souple",
+          "Un gel plat",
           "Un bras asservi",
           "Effets",
           "De tout réseau tactile",
@@ -186,6 +189,7 @@ const std::vector<PageWords>& pages() {
           "触覚アレイ",
           "物体の中のアーム",
           "柔らかい管の中のカメラ",
+          "平らなゲル",
           "サーボするアーム",
           "効果",
           "すべての触覚アレイ",
@@ -234,6 +238,7 @@ const std::vector<PageWords>& pages() {
           "触觉阵列",
           "物体之间的机械臂",
           "软管中的摄像头",
+          "平面凝胶",
           "伺服机械臂",
           "效应",
           "任何触觉阵列",
@@ -321,6 +326,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, arrayScene, describeFile<scene::ArrayWorld>);
     page.part(3, armScene, describeFile<scene::ArmWorld>);
     page.part(3, cameraScene, describeFile<scene::CameraWorld>);
+    page.part(3, gelScene, describeFile<scene::GelWorld>);
     page.part(3, servoScene, describeFile<scene::ServoWorld>);
     page.part(3, studyScene, describeFile<study::StudyScene>);
     page.head(2, effects);
