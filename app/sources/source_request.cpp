@@ -137,12 +137,11 @@ core::Expected<Opened> openGelScene(const scene::Scene& scene, std::uint64_t see
                                     const core::StopSwitch& stop) {
     auto control = std::make_shared<core::SceneControl>();
     TELETA_TRY(auto generator, simulation::makeGelCamera(scene, seed, control));
-    auto channel = pipeline::GelChannel::make(
+    auto channel = std::make_shared<pipeline::GelChannel>(
         std::make_unique<simulated::SimulatedCameraDevice>(std::move(generator), stop),
         scene_run::gelFile(scene));
-    TELETA_CHECK(channel);
-    (*channel)->setScene(std::move(control));
-    return *channel;
+    channel->setScene(std::move(control));
+    return channel;
 }
 
 core::Expected<Opened> openCamera(const CameraRequest& request, const core::StopSwitch& stop) {
@@ -171,9 +170,7 @@ core::Expected<Opened> openGel(const GelRequest& request) {
     config.channel = static_cast<camera::VideoChannel>(file.channel); // of the same order
     config.loop = request.loop;
     TELETA_TRY(auto feed, camera::CameraDevice::open(std::move(config)));
-    auto channel = pipeline::GelChannel::make(std::move(feed), std::move(file));
-    TELETA_CHECK(channel);
-    return *channel;
+    return std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(file));
 }
 
 /// An arm without a skin: what it touches is not known.

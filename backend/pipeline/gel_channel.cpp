@@ -48,21 +48,13 @@ std::vector<int> idsOf(const std::vector<GelContactState>& contacts) {
 
 } // namespace
 
-core::Expected<std::shared_ptr<GelChannel>> GelChannel::make(std::unique_ptr<core::CameraSource> source,
-                                                             vision::MarkerGelFile file,
-                                                             const std::vector<core::GreyImage>& reference) {
-    std::shared_ptr<GelChannel> channel(new GelChannel(std::move(source), std::move(file)));
-    if (!reference.empty()) {
-        TELETA_CHECK(channel->m_follower.setReference(viewsOf(reference)));
-    }
-    return channel;
-}
-
-GelChannel::GelChannel(std::unique_ptr<core::CameraSource> source, vision::MarkerGelFile file)
+GelChannel::GelChannel(std::unique_ptr<core::CameraSource> source, vision::MarkerGelFile file,
+                       core::GreyImage reference)
     : m_source(std::move(source))
     , m_file(std::move(file))
     , m_description(m_source->description())
-    , m_follower(m_file) {
+    , m_follower(m_file)
+    , m_passedReference(std::move(reference)) {
     m_description.name = m_file.name;
 }
 

@@ -47,11 +47,10 @@ public:
     static constexpr double kOldest_s = 0.1;
 
     /// source: not null. file: describes the gel; its name becomes the channel's. reference: pictures of the
-    /// gel at rest, cropped and flipped; empty: the first pictures of the source show it.
-    /// Error: refused, these pictures do not show it.
-    [[nodiscard]] static core::Expected<std::shared_ptr<GelChannel>>
-    make(std::unique_ptr<core::CameraSource> source, vision::MarkerGelFile file,
-         const std::vector<core::GreyImage>& reference = {});
+    /// gel at rest as stackedReference(), cropped and flipped; empty, or if it does not show the gel: the
+    /// first pictures of the source show it.
+    GelChannel(std::unique_ptr<core::CameraSource> source, vision::MarkerGelFile file,
+               core::GreyImage reference = {});
     ~GelChannel() override;
 
     /// Once. The channel's own thread is notified of its data.
@@ -88,7 +87,6 @@ public:
     void renewReference();
 
 private:
-    GelChannel(std::unique_ptr<core::CameraSource> source, vision::MarkerGelFile file);
     void run(const std::stop_token& stop);
     void process(core::CameraFrame frame);
     void passOver(const core::CameraFrame& frame);
@@ -125,8 +123,8 @@ private:
     std::int64_t m_frame_ns = 0; ///< of the frame at hand
     double m_offset_s = 0.0;     ///< from the source's time to that of the snapshots
     double m_time_s = 0.0;
-    bool m_restarts = false; ///< a frame that was passed over did not follow from the one before
-    core::GreyImage m_passedReference;
+    bool m_restarts = false;           ///< a frame that was passed over did not follow from the one before
+    core::GreyImage m_passedReference; ///< of a frame that was passed over, or the one at the start
     std::uint64_t m_passedOver = 0;
     std::uint64_t m_unusable = 0;
     std::array<std::shared_ptr<const GelTaps>, 1 + kWatchers> m_tapsInUse; ///< the recorder's first

@@ -131,10 +131,10 @@ core::Expected<std::vector<RecordedCamera>> recordedCameras(const recording::Rec
 }
 
 core::Expected<core::GreyImage> firstReference(const recording::Recording& recording,
-                                               const RecordedCamera& camera) {
-    if (!camera.referenceStream)
+                                               const std::optional<std::size_t>& referenceStream) {
+    if (!referenceStream)
         return core::GreyImage();
-    recording::StreamReader reader = recording.reader(*camera.referenceStream);
+    recording::StreamReader reader = recording.reader(*referenceStream);
     core::TappedFrames block;
     for (;;) {
         const core::Expected<bool> any = reader.next(block);

@@ -15,6 +15,42 @@
 
 namespace teleta::pipeline {
 
+namespace {
+
+/// Empty: the details of the stream describe no gel.
+core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recording& recording,
+                                                       std::size_t stream) {
+    const recording::StreamInfo& info = recording.streams()[stream];
+    const auto document = core::JsonDocument::parse(info.details, recording.path());
+    if (!document)
+        return notDescribed(info, recording.path(), document.error());
+    core::JsonReader reader(*document);
+    const std::string text = reader.text(reader.root(), "marker_gel", {});
+    if (text.empty())
+        return std::optional<RecordedGel>();
+    const std::string reference = reader.text(reader.root(), "reference_stream", {});
+    const bool simulated = reader.boolean(reader.root(), "simulated", false);
+    if (reader.error())
+        return notDescribed(info, recording.path(), *reader.error());
+    auto file = vision::parseMarkerGel(text, recording.path());
+    if (!file)
+        return notDescribed(info, recording.path(), file.error());
+    RecordedGel found{.stream = stream,
+                      .description = {.name = info.source,
+                                      .nominalRate_Hz = info.nominalRate_Hz,
+                                      .simulated = simulated,
+                                      .recorded = true},
+                      .file = std::move(*file),
+                      .referenceStream = {}};
+    const auto& streams = recording.streams();
+    const auto named = std::ranges::find(streams, reference, &recording::StreamInfo::name);
+    if (named != streams.end() && named->type == recording::ValueType::grey8)
+        found.referenceStream = static_cast<std::size_t>(named - streams.begin());
+    return std::optional(std::move(found));
+}
+
+} // namespace
+
 recording::StreamInfo gelStream(const std::string& name, const core::CameraDescription& description,
                                 const vision::MarkerGelFile& file, const std::string& reference) {
     // The pictures are cropped and flipped by now, and come from nowhere else.
@@ -85,35 +121,24 @@ std::vector<core::GreyImage> unstackedReference(const core::GreyImage& stack, in
     return pictures;
 }
 
-core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recording& recording,
-                                                       std::size_t stream) {
-    const recording::StreamInfo& info = recording.streams()[stream];
-    const auto document = core::JsonDocument::parse(info.details, recording.path());
-    if (!document)
-        return notDescribed(info, recording.path(), document.error());
-    core::JsonReader reader(*document);
-    const std::string text = reader.text(reader.root(), "marker_gel", {});
-    if (text.empty())
-        return std::optional<RecordedGel>();
-    const std::string reference = reader.text(reader.root(), "reference_stream", {});
-    const bool simulated = reader.boolean(reader.root(), "simulated", false);
-    if (reader.error())
-        return notDescribed(info, recording.path(), *reader.error());
-    auto file = vision::parseMarkerGel(text, recording.path());
-    if (!file)
-        return notDescribed(info, recording.path(), file.error());
-    RecordedGel found{.stream = stream,
-                      .description = {.name = info.source,
-                                      .nominalRate_Hz = info.nominalRate_Hz,
-                                      .simulated = simulated,
-                                      .recorded = true},
-                      .file = std::move(*file),
-                      .referenceStream = {}};
-    const auto& streams = recording.streams();
-    const auto named = std::ranges::find(streams, reference, &recording::StreamInfo::name);
-    if (named != streams.end() && named->type == recording::ValueType::grey8)
-        found.referenceStream = static_cast<std::size_t>(named - streams.begin());
-    return std::optional(std::move(found));
+core::Expected<std::vector<RecordedGel>> recordedGels(const recording::Recording& recording,
+                                                      std::optional<core::Error>& why) {
+    std::vector<RecordedGel> gels;
+    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
+        if (recording.streams()[i].type != recording::ValueType::grey8)
+            continue;
+        auto gel = recordedGel(recording, i);
+        if (!gel) {
+            why = why.value_or(gel.error());
+            continue;
+        }
+        if (!*gel)
+            continue;
+        TELETA_TRY(const auto extent, recording.extent(i));
+        if (extent)
+            gels.push_back(std::move(**gel));
+    }
+    return gels;
 }
 
 } // namespace teleta::pipeline

@@ -49,9 +49,9 @@ struct RecordedGel {
     std::optional<std::size_t> referenceStream; ///< empty: the first pictures show the gel at rest
 };
 
-/// The gel that the details of a stream of pictures describe; empty: they describe no gel.
-/// Error: badInput, they do, but not so that it can be used.
-[[nodiscard]] core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recording& recording,
-                                                                     std::size_t stream);
+/// Every gel of a recording, in its order; one without a picture and one that is not described are left out.
+/// why: gets the error of the first one that is not described, unless it has one. Error: ioFailed.
+[[nodiscard]] core::Expected<std::vector<RecordedGel>> recordedGels(const recording::Recording& recording,
+                                                                    std::optional<core::Error>& why);
 
 } // namespace teleta::pipeline

@@ -98,9 +98,7 @@ protected:
     void open(const vision::MarkerGelFile& file) {
         auto source = std::make_unique<ScriptedCamera>();
         m_camera = source.get();
-        auto made = GelChannel::make(std::move(source), file);
-        ASSERT_TRUE(made);
-        m_channel = *made;
+        m_channel = std::make_shared<GelChannel>(std::move(source), file, m_rest);
         m_channel->start();
     }
     [[nodiscard]] core::GreyImage drawn(const std::optional<GelContact>& contact) {
@@ -142,6 +140,7 @@ protected:
     std::shared_ptr<GelChannel> m_channel;
     std::vector<GelEvent> m_events;
     double m_capture_s = 0.0;
+    core::GreyImage m_rest; ///< with which the channel begins
 };
 
 const GelContact kDragged{
@@ -307,9 +306,50 @@ TEST_F(LiveGel, recordsPicturesRestContactsAndEvents) {
     EXPECT_EQ(sink->events[1].value, 1.0);
 }
 
-TEST(GelChannel, refusesARestThatShowsNoGel) {
-    const std::vector<core::GreyImage> black{core::greyImageOf(cv::Mat1b(240, 320, std::uint8_t{0}))};
-    const auto made = GelChannel::make(std::make_unique<ScriptedCamera>(), gelFile(), black);
-    ASSERT_FALSE(made);
-    EXPECT_EQ(made.error().kind, core::ErrorKind::refused);
+TEST_F(LiveGel, beginsWithTheRestThatARecordingHas) {
+    const std::vector<core::GreyImage> quiet{drawn({}), drawn({}), drawn({})};
+    m_rest = pipeline::stackedReference(quiet);
+    m_channel->stop();
+    open(gelFile());
+    show(kDragged);
+    EXPECT_TRUE(snapshot().hasReference());
+    EXPECT_EQ(eventsOf(GelEvent::Kind::reference), 1);
+    EXPECT_EQ(snapshot().contacts.size(), 1U);
+    // Another one comes with a picture of the recording.
+    const std::vector<core::GreyImage> moved{drawn(kDragged), drawn(kDragged)};
+    const std::uint64_t before = m_channel->framesProcessed();
+    m_camera->push({.image = drawn(kDragged),
+                    .time_ns = core::steadyNow_ns(),
+                    .capture_s = m_capture_s += 0.04,
+                    .reference = pipeline::stackedReference(moved)});
+    for (int i = 0; i < 20'000 && snapshot().processed <= before; ++i) {
+        std::this_thread::sleep_for(1ms);
+        m_channel->update();
+    }
+    EXPECT_TRUE(snapshot().contacts.empty());
+}
+
+TEST_F(LiveGel, tellsARestThatShowsNoGelAndTakesTheFirstPictures) {
+    m_rest = core::greyImageOf(cv::Mat1b(240, 320, std::uint8_t{0}));
+    m_channel->stop();
+    open(gelFile());
+    show();
+    EXPECT_NE(snapshot().problem.find("black"), std::string::npos) << snapshot().problem;
+    show({}, kRest - 1);
+    EXPECT_TRUE(snapshot().hasReference());
+    EXPECT_TRUE(snapshot().problem.empty()) << snapshot().problem;
+}
+
+TEST(RecordedGel, unstacksOnlyWhatWasStacked) {
+    EXPECT_TRUE(pipeline::stackedReference({}).isEmpty());
+    const std::vector<core::GreyImage> unlike{core::greyImageOf(cv::Mat1b(2, 3, std::uint8_t{1})),
+                                              core::greyImageOf(cv::Mat1b(3, 3, std::uint8_t{1}))};
+    EXPECT_TRUE(pipeline::stackedReference(unlike).isEmpty());
+    const std::vector<core::GreyImage> alike{core::greyImageOf(cv::Mat1b(2, 3, std::uint8_t{1})),
+                                             core::greyImageOf(cv::Mat1b(2, 3, std::uint8_t{9}))};
+    const auto again = pipeline::unstackedReference(pipeline::stackedReference(alike), 3, 2);
+    ASSERT_EQ(again.size(), 2U);
+    EXPECT_EQ(again[1].pixels.get()[5], 9);
+    EXPECT_TRUE(pipeline::unstackedReference(pipeline::stackedReference(alike), 2, 3).empty());
+    EXPECT_TRUE(pipeline::unstackedReference({}, 3, 2).empty());
 }
