@@ -379,6 +379,30 @@
     </message>
 </context>
 <context>
+    <name>teleta::camera::GelPanel</name>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n skipped</numerusform>
+            <numerusform>%n skipped</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unusable</source>
+        <translation>
+            <numerusform>%n unusable</numerusform>
+            <numerusform>%n unusable</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking the gel at rest: nothing may touch it (%n more picture(s)).</source>
+        <translation>
+            <numerusform>Taking the gel at rest: nothing may touch it (%n more picture).</numerusform>
+            <numerusform>Taking the gel at rest: nothing may touch it (%n more pictures).</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message numerus="yes">
         <source>%n unusable</source>

@@ -4,6 +4,7 @@
 #include "backend/core/failure.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
 #include "backend/pipeline/touch_channel.h"
@@ -52,7 +53,7 @@ core::Expected<Opened> openJoints(replay::RecordedConfig config, const pipeline:
 
 core::Expected<Opened> openCamera(replay::RecordedConfig config, const recording::Recording& recording,
                                   const pipeline::RecordedCamera& source, const core::StopSwitch& stop) {
-    auto reference = pipeline::firstReference(recording, source);
+    auto reference = pipeline::firstReference(recording, source.referenceStream);
     TELETA_CHECK(reference);
     config.stream = source.stream;
     config.camera = source.description;
@@ -65,6 +66,17 @@ core::Expected<Opened> openCamera(replay::RecordedConfig config, const recording
                                                  source.camera, stop, nullptr, settings);
     TELETA_CHECK(channel);
     return *channel;
+}
+
+core::Expected<Opened> openGel(replay::RecordedConfig config, const recording::Recording& recording,
+                               const pipeline::RecordedGel& source) {
+    TELETA_TRY(auto reference, pipeline::firstReference(recording, source.referenceStream));
+    config.stream = source.stream;
+    config.camera = source.description;
+    config.referenceStream = source.referenceStream;
+    TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
+    return std::make_shared<pipeline::GelChannel>(std::make_unique<replay::RecordedCamera>(player),
+                                                  source.file, std::move(reference));
 }
 
 } // namespace
@@ -98,6 +110,8 @@ core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::str
     std::vector<RecordingRequest> requests;
     for (const pipeline::RecordedCamera& camera : sources.cameras)
         requests.push_back({path, recording.streams()[camera.stream].name, camera.description.name, false});
+    for (const pipeline::RecordedGel& gel : sources.gels)
+        requests.push_back({path, recording.streams()[gel.stream].name, gel.description.name, false});
     for (const pipeline::RecordedJoints& arm : sources.arms)
         requests.push_back({path, recording.streams()[arm.stream].name, arm.arm.name, false});
     // The first array last: what is opened last is shown.
@@ -128,6 +142,9 @@ core::Expected<std::shared_ptr<pipeline::Channel>> openRecording(const Recording
     for (const pipeline::RecordedCamera& source : sources.cameras)
         if (isIt(source.stream))
             return openCamera(std::move(config), recording, source, stop);
+    for (const pipeline::RecordedGel& source : sources.gels)
+        if (isIt(source.stream))
+            return openGel(std::move(config), recording, source);
     return core::failed(core::ErrorKind::refused,
                         PlaybackText::tr("the recording has no stream \"%1\" to play")
                             .arg(QString::fromStdString(request.stream)),

@@ -4,6 +4,7 @@
 #include "app/sources/array_file.h"
 #include "backend/core/beside_file.h"
 #include "backend/core/keys/toml_keys.h"
+#include "backend/vision/gel/marker_gel_file.h"
 #include "devices/camera/camera_device.h"
 #include "devices/link/link_address.h"
 
@@ -137,6 +138,12 @@ void describeTaxels(Keys& keys, const std::string& listPath, TaxelsRequest& requ
                  "`\"ros_tactile\"`)");
 }
 
+void describeGel(Keys& keys, const std::string& listPath, GelRequest& request) {
+    describePath(keys, "gel", listPath, request.path,
+                 "File that describes a flat gel with markers (`kind = \"marker_gel\"`)");
+    keys.flag("loop", request.loop, "A video starts again at its end");
+}
+
 template <typename Request>
 void add(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests,
          void (*describe)(Keys&, const std::string&, Request&)) {
@@ -156,6 +163,8 @@ SourceKind kindOf(core::TomlTable& table) {
         return SourceKind::arm;
     if (table.has("taxels"))
         return SourceKind::taxels;
+    if (table.has("gel"))
+        return SourceKind::gel;
     return isRecordingName(QString::fromStdString(table.text("recording"))) ? SourceKind::playback
                                                                             : SourceKind::recording;
 }
@@ -179,6 +188,8 @@ void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPa
         return add(keys, listPath, requests, describeArm);
     case SourceKind::taxels:
         return add(keys, listPath, requests, describeTaxels);
+    case SourceKind::gel:
+        return add(keys, listPath, requests, describeGel);
     }
 }
 
@@ -192,6 +203,11 @@ bool describesArray(const core::TomlDocument& document) {
     return isArrayFileKind(document.root().text("kind", std::string()));
 }
 
+/// It has a key "source", too, but that is a text.
+bool describesGel(const core::TomlDocument& document) {
+    return isOfKind(document, "marker_gel");
+}
+
 bool hasKind(const std::string& path, std::string_view kind) {
     const auto document = core::TomlDocument::open(path);
     return document && isOfKind(*document, kind);
@@ -201,7 +217,8 @@ bool hasKind(const std::string& path, std::string_view kind) {
 
 bool isSourceList(const std::string& path) {
     const auto document = core::TomlDocument::open(path);
-    return document && (document->root().has("source") || describesArray(*document));
+    return document &&
+           (document->root().has("source") || describesArray(*document) || describesGel(*document));
 }
 
 bool isArmFile(const std::string& path) {
@@ -219,6 +236,11 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     if (describesArray(document)) {
         TELETA_CHECK(readArrayFile(path));
         requests.emplace_back(TaxelsRequest{path});
+        return requests;
+    }
+    if (describesGel(document)) {
+        TELETA_CHECK(vision::readMarkerGel(path));
+        requests.emplace_back(GelRequest{path});
         return requests;
     }
     for (core::TomlTable& table : root.tables("source", 1)) {

@@ -3,20 +3,26 @@
 
 #include "app/common/scene_file.h"
 #include "app/sources/array_file.h"
+#include "backend/core/beside_file.h"
 #include "backend/core/data/array_guess.h"
 #include "backend/core/data/frame_file.h"
+#include "backend/core/failure.h"
 #include "backend/equilibration/taxel_gain_file.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/camera/scene_reaction.h"
+#include "backend/scene_run/gel/scene_gel.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 #include "backend/simulation/array/simulated_array.h"
+#include "backend/simulation/camera/gel/gel_camera.h"
 #include "backend/simulation/camera/tube_camera.h"
 #include "backend/simulation/servo/servo_array.h"
 #include "backend/vision/calibration/camera_file.h"
+#include "backend/vision/gel/marker_gel_file.h"
 #include "devices/camera/camera_device.h"
 #include "devices/link/link_address.h"
 #include "devices/replay/playback_config.h"
@@ -31,6 +37,7 @@
 #include "devices/taxels/taxels_probe.h"
 #include "devices/wts/wts_device.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <utility>
@@ -38,6 +45,10 @@
 namespace teleta::app {
 
 namespace {
+
+struct SourceText {
+    Q_DECLARE_TR_FUNCTIONS(SourceRequest)
+};
 
 using Opened = std::shared_ptr<pipeline::Channel>;
 
@@ -124,6 +135,17 @@ core::Expected<Opened> openTube(const scene::Scene& scene, std::uint64_t seed, c
     return *channel;
 }
 
+core::Expected<Opened> openGelScene(const scene::Scene& scene, std::uint64_t seed,
+                                    const core::StopSwitch& stop) {
+    auto control = std::make_shared<core::SceneControl>();
+    TELETA_TRY(auto generator, simulation::makeGelCamera(scene, seed, control));
+    auto channel = std::make_shared<pipeline::GelChannel>(
+        std::make_unique<simulated::SimulatedCameraDevice>(std::move(generator), stop),
+        scene_run::gelFile(scene));
+    channel->setScene(std::move(control));
+    return channel;
+}
+
 core::Expected<Opened> openCamera(const CameraRequest& request, const core::StopSwitch& stop) {
     TELETA_TRY(auto model, vision::readCamera(request.modelPath));
     camera::CameraConfig config;
@@ -135,6 +157,22 @@ core::Expected<Opened> openCamera(const CameraRequest& request, const core::Stop
     auto channel = pipeline::CameraChannel::make(std::move(feed), model.camera, stop);
     TELETA_CHECK(channel);
     return *channel;
+}
+
+core::Expected<Opened> openGel(const GelRequest& request) {
+    TELETA_TRY(auto file, vision::readMarkerGel(request.path));
+    if (file.source.empty())
+        return core::failed(core::ErrorKind::badInput,
+                            SourceText::tr("the sensor file names no camera and no video"),
+                            SourceText::tr("a key \"source\""), {request.path});
+    camera::CameraConfig config;
+    config.source =
+        camera::isCameraNumber(file.source) ? file.source : core::besideFile(request.path, file.source);
+    config.rate_Hz = file.rate_Hz;
+    config.channel = static_cast<camera::VideoChannel>(file.channel); // of the same order
+    config.loop = request.loop;
+    TELETA_TRY(auto feed, camera::CameraDevice::open(std::move(config)));
+    return std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(file));
 }
 
 /// An arm without a skin: what it touches is not known.
@@ -154,6 +192,8 @@ core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSw
         return openServo(scene, request.seed, stop);
     if (scene.isCamera())
         return openTube(scene, request.seed, stop);
+    if (scene.isGel())
+        return openGelScene(scene, request.seed, stop);
     TELETA_TRY(auto array, simulation::makeTactileArray(scene, request.seed));
     return openedArray(std::move(array), scene, stop);
 }
@@ -211,6 +251,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(remote->path);
     if (const auto* described = std::get_if<TaxelsRequest>(&request))
         return QString::fromStdString(described->path);
+    if (const auto* gel = std::get_if<GelRequest>(&request))
+        return QString::fromStdString(gel->path);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -256,6 +298,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openRemote(site, *remote);
         if (const auto* described = std::get_if<TaxelsRequest>(&request))
             return openTaxels(*described, cancelled);
+        if (const auto* gel = std::get_if<GelRequest>(&request))
+            return openGel(*gel);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

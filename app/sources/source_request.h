@@ -58,6 +58,12 @@ struct CameraRequest {
     bool loop = true;      ///< of a file
 };
 
+/// A flat gel with markers in front of a camera that is connected, or a video of one.
+struct GelRequest {
+    std::string path; ///< the file that describes it, see vision::readMarkerGel()
+    bool loop = true; ///< of a video
+};
+
 /// An array that a file describes.
 struct TaxelsRequest {
     std::string path; ///< the file, see readArrayFile()
@@ -71,7 +77,7 @@ struct ArmRequest {
 };
 
 using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest,
-                                   ArmRequest, SiteRequest, TaxelsRequest>;
+                                   ArmRequest, SiteRequest, TaxelsRequest, GelRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);

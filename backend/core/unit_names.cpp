@@ -80,7 +80,7 @@ constexpr auto kWithoutUnit = std::to_array<std::string_view>({
     // Numbers and names of things.
     "frame", "contact_id", "marker", "found", "taxel", "row", "column", "touch", "touches", "object",
     "true_object", "name", "joint", "run", "source", "samples", "active", "condition_number", "confidence",
-    "value",
+    "value", "slip_index", "slip_share",
     // Words.
     "contact_type", "type", "contact", "event", "state", "text", "utc", "phase", "limits", "method",
     "material", "shape", "true_shape", "safe", "level", "reliable", "refusal", "warnings", "kept", "used",

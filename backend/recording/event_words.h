@@ -22,6 +22,13 @@ inline constexpr char kFollows[] = "follows";
 inline constexpr char kReference[] = "reference";
 inline constexpr char kRestart[] = "restart";
 
+/// Of a flat gel; value: number of the contact, or 0.
+inline constexpr char kIncipientSlip[] = "incipient_slip";
+inline constexpr char kSlip[] = "slip";
+inline constexpr char kPictureDark[] = "picture_dark";
+inline constexpr char kLightJump[] = "light_jump";
+inline constexpr char kGelTorn[] = "gel_torn";
+
 /// For the new state of a source; empty: no event.
 [[nodiscard]] constexpr const char* stateWord(core::DeviceState state) {
     switch (state) {

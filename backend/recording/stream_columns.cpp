@@ -88,6 +88,19 @@ const std::vector<Column>& contactColumns() {
     return columns;
 }
 
+const std::vector<Column>& gelContactColumns() {
+    static const std::vector<Column> columns{{"contact_id", ""},
+                                             {"x_m", "m"},
+                                             {"y_m", "m"},
+                                             {"area_m2", "m2"},
+                                             {"normal_proxy_m2", "m2"},
+                                             {"shear_proxy_x_m", "m"},
+                                             {"shear_proxy_y_m", "m"},
+                                             {"torsion_rad", "rad"},
+                                             {"slip_index", ""}};
+    return columns;
+}
+
 const std::vector<Column>& wrenchColumns() {
     static const std::vector<Column> columns{{"force_x_n", "N"},    {"force_y_n", "N"},
                                              {"force_z_n", "N"},    {"torque_x_nm", "Nm"},

@@ -37,6 +37,9 @@ inline constexpr std::size_t kJointKinds = 3;
 /// The columns of a stream of camera contacts, in order.
 [[nodiscard]] const std::vector<Column>& contactColumns();
 
+/// The columns of a stream of contacts on a flat gel, in order.
+[[nodiscard]] const std::vector<Column>& gelContactColumns();
+
 /// The columns of a stream of forces and torques, in order.
 [[nodiscard]] const std::vector<Column>& wrenchColumns();
 

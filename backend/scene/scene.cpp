@@ -53,6 +53,8 @@ void Scene::describeEffects(Keys& keys) {
 std::vector<ActsOn> Scene::canHave() const {
     if (isCamera())
         return {ActsOn::camera};
+    if (isGel())
+        return {};
     if (isServo())
         return {ActsOn::taxels, ActsOn::carriedArray};
     if (isTeleoperated())
@@ -90,6 +92,10 @@ core::Expected<void> checkTeleoperatedScene(const Scene& scene) {
 core::Expected<void> checkCameraScene(const Scene& scene) {
     return checkKind(scene, scene.isCamera(),
                      SceneCheck::tr("the scene is not that of a camera in a soft tube"));
+}
+
+core::Expected<void> checkGelScene(const Scene& scene) {
+    return checkKind(scene, scene.isGel(), SceneCheck::tr("the scene is not that of a flat gel"));
 }
 
 core::Expected<void> checkServoScene(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include "backend/scene/array_world.h"
 #include "backend/scene/camera_world.h"
 #include "backend/scene/effects.h"
+#include "backend/scene/gel_world.h"
 #include "backend/scene/servo_world.h"
 
 #include <string>
@@ -21,7 +22,7 @@ struct Scene {
     double duration_s = 0.0;
     /// Frames of an array or a camera, samples of an arm or control cycles of a servo, per second.
     double rate_Hz = 0.0;
-    std::variant<ArrayWorld, ArmWorld, CameraWorld, ServoWorld> world;
+    std::variant<ArrayWorld, ArmWorld, CameraWorld, ServoWorld, GelWorld> world;
     std::vector<Effect> effects; ///< each kind at most once
 
     /// Describes name, description, duration_s and rate_Hz.
@@ -38,6 +39,9 @@ struct Scene {
     }
     [[nodiscard]] bool isServo() const { return std::holds_alternative<ServoWorld>(world); }
     [[nodiscard]] bool isCamera() const { return std::holds_alternative<CameraWorld>(world); }
+    [[nodiscard]] bool isGel() const { return std::holds_alternative<GelWorld>(world); }
+    /// It has pictures rather than taxels.
+    [[nodiscard]] bool isSeen() const { return isCamera() || isGel(); }
     /// The world of a scene of that kind; throws std::bad_variant_access with the other.
     [[nodiscard]] const ArrayWorld& array() const { return std::get<ArrayWorld>(world); }
     [[nodiscard]] ArrayWorld& array() { return std::get<ArrayWorld>(world); }
@@ -45,6 +49,8 @@ struct Scene {
     [[nodiscard]] ArmWorld& arm() { return std::get<ArmWorld>(world); }
     [[nodiscard]] const CameraWorld& camera() const { return std::get<CameraWorld>(world); }
     [[nodiscard]] CameraWorld& camera() { return std::get<CameraWorld>(world); }
+    [[nodiscard]] const GelWorld& gel() const { return std::get<GelWorld>(world); }
+    [[nodiscard]] GelWorld& gel() { return std::get<GelWorld>(world); }
     [[nodiscard]] const ServoWorld& servo() const { return std::get<ServoWorld>(world); }
     [[nodiscard]] ServoWorld& servo() { return std::get<ServoWorld>(world); }
     /// What its effects can act on.
@@ -60,7 +66,7 @@ struct Scene {
     }
     /// Taxels of the array, or of the arm's skin; a camera has none.
     [[nodiscard]] core::ArrayLayout taxels() const {
-        if (isCamera())
+        if (isSeen())
             return {.rows = 0, .columns = 0};
         return isArm() ? arm().skin.layout : sensor().layout;
     }
@@ -86,6 +92,7 @@ private:
 /// An arm with an operator.
 [[nodiscard]] core::Expected<void> checkTeleoperatedScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkCameraScene(const Scene& scene);
+[[nodiscard]] core::Expected<void> checkGelScene(const Scene& scene);
 [[nodiscard]] core::Expected<void> checkServoScene(const Scene& scene);
 
 } // namespace teleta::scene

@@ -18,6 +18,8 @@ core::Expected<Scene> readDocument(const core::TomlDocument& document) {
         scene.world = ServoWorld();
     else if (root.has("camera"))
         scene.world = CameraWorld();
+    else if (root.has("gel"))
+        scene.world = GelWorld();
     scene.describeWorld(keys);
     scene.describeEffects(keys);
     keys.finish();

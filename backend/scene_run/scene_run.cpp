@@ -6,6 +6,7 @@
 #include "backend/scene_run/arm/arm_run.h"
 #include "backend/scene_run/array/array_run.h"
 #include "backend/scene_run/camera/camera_run.h"
+#include "backend/scene_run/gel/gel_run.h"
 #include "backend/scene_run/servo/servo_run.h"
 
 #include <QCoreApplication>
@@ -36,6 +37,7 @@ core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOption
         TELETA_CHECK(makeFolder(options.outFolder));
     const std::int64_t start_ns = core::steadyNow_ns();
     TELETA_TRY(SceneSummary summary, scene.isCamera()         ? runCameraScene(scene, options)
+                                     : scene.isGel()          ? runGelScene(scene, options)
                                      : scene.isServo()        ? runServoScene(scene, options)
                                      : scene.isTeleoperated() ? runTeleoperation(scene, options)
                                      : scene.isArm()          ? runArmScene(scene, options)

@@ -18,6 +18,7 @@ namespace teleta::scene_run {
 ///   of an arm with an operator: joints.csv, touches.csv, objects.csv, bracelet.csv (arm_run.h)
 ///   of a servo: servo.csv, points.csv (servo_run.h)
 ///   of a camera, which has no frames.csv: contacts.csv, arm.csv, reference.png (camera_run.h)
+///   of a flat gel, which has none either: markers.csv, contacts.csv, truth.csv (gel_run.h)
 /// Same scene and seed: same bytes, but for the computing times and the recording, which has a date. Thread:
 /// any; keeps one core busy. Error: badInput (the scene is not valid), ioFailed (a file cannot be written).
 [[nodiscard]] core::Expected<SceneSummary> runScene(const scene::Scene& scene, const RunOptions& options);

@@ -132,7 +132,7 @@ core::Expected<std::unique_ptr<SweepSubject>> makeSceneSubject(const SweepPlan& 
         return sceneOf(base, plan.settingsOf(cell)).map([](const SweptScene&) {});
     }));
     const auto* world = std::get_if<scene::Scene>(&plain);
-    const bool frames = world != nullptr && !world->isArm() && !world->isCamera();
+    const bool frames = world != nullptr && !world->isArm() && !world->isSeen();
     return std::make_unique<SceneSubject>(std::move(base), frames);
 }
 

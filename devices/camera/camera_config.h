@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/threads/pacing_clock.h"
+#include "devices/camera/video_stream.h"
 
 #include <cstddef>
 #include <memory>
@@ -15,6 +16,7 @@ struct CameraConfig {
     int width_px = 0;   ///< asked of a camera; 0: its own
     int height_px = 0;
     double rate_Hz = 0.0;
+    VideoChannel channel = VideoChannel::grey; ///< of coloured pictures
     bool paced = true;       ///< a file is played at its own rate; otherwise as fast as frames are taken
     bool loop = false;       ///< of a file
     int firstRetry_ms = 250; ///< after a camera was lost; doubled with each attempt

@@ -22,11 +22,17 @@ using core::DeviceState;
 constexpr std::int64_t kMs_ns = 1'000'000;
 constexpr std::int64_t kFullQueue_ns = 2 * kMs_ns; ///< how long a file waits for its consumer at a time
 
+VideoStream::Options optionsOf(const CameraConfig& config) {
+    return {.width_px = config.width_px,
+            .height_px = config.height_px,
+            .rate_Hz = config.rate_Hz,
+            .channel = config.channel};
+}
+
 } // namespace
 
 core::Expected<std::unique_ptr<CameraDevice>> CameraDevice::open(CameraConfig config) {
-    TELETA_TRY(VideoStream stream,
-               VideoStream::open(config.source, {config.width_px, config.height_px, config.rate_Hz}));
+    TELETA_TRY(VideoStream stream, VideoStream::open(config.source, optionsOf(config)));
     core::CameraDescription description;
     description.recorded = !isCameraNumber(config.source);
     description.name = description.recorded ? std::filesystem::path(config.source).filename().string()
@@ -125,8 +131,7 @@ void CameraDevice::deliver(cv::Mat1b image, double capture_s) {
 }
 
 core::Expected<void> CameraDevice::openStream() {
-    TELETA_TRY(m_stream,
-               VideoStream::open(m_config.source, {m_config.width_px, m_config.height_px, m_config.rate_Hz}));
+    TELETA_TRY(m_stream, VideoStream::open(m_config.source, optionsOf(m_config)));
     return {};
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/pipeline/camera_snapshot.h"
-#include "widgets/base/titled_model.h"
+#include "widgets/camera/event_list.h"
 
 #include <cstddef>
 #include <deque>
@@ -10,7 +10,7 @@
 namespace teleta::camera {
 
 /// Events of the tube, newest first; the oldest are dropped. Thread: GUI.
-class EventModel : public base::TitledModel {
+class EventModel : public EventListModel {
     Q_OBJECT
 public:
     enum Column { time, event, contact, along, around, depth };
@@ -18,10 +18,10 @@ public:
     static constexpr std::size_t kCapacity = 1000;
 
     explicit EventModel(QObject* parent = nullptr)
-        : TitledModel(kColumns, parent) {}
+        : EventListModel(kColumns, parent) {}
 
     void append(const pipeline::CameraEvent& event);
-    void clear() { setEvents({}); }
+    void clear() override { setEvents({}); }
 
     /// Moves out the events, newest first.
     [[nodiscard]] std::deque<pipeline::CameraEvent> takeEvents();
@@ -29,7 +29,7 @@ public:
     void setEvents(std::deque<pipeline::CameraEvent> events);
 
     /// One line per event: time_s,event,contact_id,x_m,y_m,z_m,depth_m; C locale, NA where unknown.
-    [[nodiscard]] QString csv() const;
+    [[nodiscard]] QString csv() const override;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 

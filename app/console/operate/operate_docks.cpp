@@ -30,8 +30,9 @@ namespace {
 constexpr qint32 kLayoutVersion = 7;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
-    "heatmap",  "reconstruction", "charts", "processing", "stiffness", "bracelet", "joints", "touches", "jog",
-    "feedback", "contour",        "servo",  "runs",       "objects",   "camera",   "events", "marks"};
+    "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
+    "jog",     "feedback",       "contour", "servo",      "runs",      "objects",  "camera", "events",
+    "gel",     "gel-events",     "marks"};
 
 /// As wide as what is in it, at least, and any height.
 class LowRoom : public QScrollArea {
@@ -175,11 +176,13 @@ bool OperateDocks::belongs(Kind kind, std::size_t dock) {
         return true;
     if (kind == Kind::camera)
         return dock == reconstruction || dock == camera || dock == events;
+    if (kind == Kind::gel)
+        return dock == gel || dock == gelEvents;
     if (kind == Kind::joints)
         return dock == reconstruction || dock == joints || dock == jog;
     if (dock < stiffness)
         return true;
-    if (dock == camera || dock == events)
+    if (dock == camera || dock == events || dock == gel || dock == gelEvents)
         return false;
     return kind == (dock == servo || dock == runs ? Kind::servo : Kind::arm);
 }
@@ -230,6 +233,7 @@ void OperateDocks::toggleMaximised() {
         setMaximised(m_docks[used]->isVisible() && !m_lastUsed.isEmpty()
                          ? m_lastUsed
                          : QLatin1String(kNames[m_kind == Kind::camera   ? camera
+                                                : m_kind == Kind::gel    ? gel
                                                 : m_kind == Kind::joints ? reconstruction
                                                                          : heatmap]));
 }
@@ -340,6 +344,14 @@ void OperateDocks::arrange() {
         m_docks[events]->raise();
         return;
     }
+    if (m_kind == Kind::gel) {
+        addDockWidget(Qt::LeftDockWidgetArea, m_docks[gel]);
+        splitDockWidget(m_docks[gel], m_docks[gelEvents], Qt::Horizontal);
+        tabifyDockWidget(m_docks[gelEvents], m_docks[marks]);
+        show({gel, gelEvents, marks});
+        m_docks[gelEvents]->raise();
+        return;
+    }
     if (m_kind == Kind::joints) {
         addDockWidget(Qt::LeftDockWidgetArea, m_docks[reconstruction]);
         splitDockWidget(m_docks[reconstruction], m_docks[joints], Qt::Vertical);
@@ -395,6 +407,11 @@ void OperateDocks::shareSpace() {
                     Qt::Horizontal);
         resizeDocks({m_docks[reconstruction], m_docks[events]}, {height() * 13 / 20, height() * 7 / 20},
                     Qt::Vertical);
+        return;
+    }
+    if (m_kind == Kind::gel) {
+        resizeDocks({m_docks[gel], m_docks[gelEvents]}, {width() * 12 / 20, width() * 8 / 20},
+                    Qt::Horizontal);
         return;
     }
     if (m_kind == Kind::joints) {
@@ -501,12 +518,25 @@ void OperateDocks::resizeEvent(QResizeEvent* event) {
 }
 
 void OperateDocks::retranslate() {
-    const std::array<QString, kDocks> titles{tr("Heatmap"),    tr("Reconstruction"), tr("Features over time"),
-                                             tr("Processing"), tr("Stiffness"),      tr("Bracelet"),
-                                             tr("Joints"),     tr("Touches"),        tr("Jog"),
-                                             tr("Feedback"),   tr("Contour"),        tr("Servo"),
-                                             tr("Servo runs"), tr("Run sheet"),      tr("Camera"),
-                                             tr("Events"),     tr("Marks")};
+    const std::array<QString, kDocks> titles{tr("Heatmap"),
+                                             tr("Reconstruction"),
+                                             tr("Features over time"),
+                                             tr("Processing"),
+                                             tr("Stiffness"),
+                                             tr("Bracelet"),
+                                             tr("Joints"),
+                                             tr("Touches"),
+                                             tr("Jog"),
+                                             tr("Feedback"),
+                                             tr("Contour"),
+                                             tr("Servo"),
+                                             tr("Servo runs"),
+                                             tr("Run sheet"),
+                                             tr("Camera"),
+                                             tr("Events"),
+                                             tr("Gel"),
+                                             tr("Events"),
+                                             tr("Marks")};
     // Qt says what its buttons do once, in the language of that time.
     constexpr const char* kQt = "QDockWidget";
     const auto name = [kQt](const QDockWidget& dock, const char* button, const char* text,

@@ -17,15 +17,15 @@ class QDockWidget;
 
 namespace teleta::console {
 
-/// The docks of the Operate page. An array on its own, an arm with or without a skin, a servo and a camera
-/// show different views, so each kind of source has a layout of its own, which is kept while another is
-/// shown. Thread: GUI.
+/// The docks of the Operate page. An array on its own, an arm with or without a skin, a servo, a camera in a
+/// tube and a flat gel show different views, so each kind of source has a layout of its own, which is kept
+/// while another is shown. Thread: GUI.
 class OperateDocks : public QMainWindow {
     Q_OBJECT
 
 public:
-    enum class Kind { array, arm, servo, camera, joints }; ///< joints: an arm without a tactile skin
-    static constexpr std::size_t kKinds = 5;
+    enum class Kind { array, arm, servo, camera, joints, gel }; ///< joints: an arm without a tactile skin
+    static constexpr std::size_t kKinds = 6;
 
     enum Dock {
         heatmap,
@@ -44,9 +44,11 @@ public:
         objects,
         camera,
         events,
+        gel,
+        gelEvents,
         marks
     };
-    static constexpr std::size_t kDocks = 17;
+    static constexpr std::size_t kDocks = 19;
     /// Whether a kind of source shows a dock.
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 
@@ -124,10 +126,10 @@ private:
     QString m_forward;     ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
     std::array<bool, kKinds> m_default{true, true, true, true,
-                                       true}; ///< shares its space anew when it is shown or resized
-    bool m_building = false;                  ///< a layout is built or restored
-    std::array<QSize, kDocks> m_sizes{};      ///< as they were chosen; of a dock that was not seen: invalid
-    QSize m_sizesIn;                          ///< of this widget then
+                                       true, true}; ///< shares its space anew when it is shown or resized
+    bool m_building = false;                        ///< a layout is built or restored
+    std::array<QSize, kDocks> m_sizes{}; ///< as they were chosen; of a dock that was not seen: invalid
+    QSize m_sizesIn;                     ///< of this widget then
 };
 
 } // namespace teleta::console

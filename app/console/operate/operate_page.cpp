@@ -67,6 +67,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_arm(new ArmViews(stop, m_bracelet, *m_scene, this))
     , m_servo(new ServoViews(*m_scene, this))
     , m_camera(new CameraViews(*m_scene, this))
+    , m_gel(new GelViews(this))
     , m_marks(new MarkViews(*m_charts, this))
     , m_site(new SiteViews(*m_messages, this)) {
     auto* top = new QHBoxLayout;
@@ -82,6 +83,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     m_arm->addTo(*m_docks);
     m_servo->addTo(*m_docks);
     m_camera->addTo(*m_docks);
+    m_gel->addTo(*m_docks);
     m_docks->add(OperateDocks::marks, &m_marks->list());
     m_docks->begin();
 
@@ -127,6 +129,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     connect(m_scene, &view3d::Scene3dView::failed, this, report);
     connect(m_arm, &ArmViews::exportFailed, this, report);
     connect(m_camera, &CameraViews::exportFailed, this, report);
+    connect(m_gel, &GelViews::exportFailed, this, report);
     connect(m_servo, &ServoViews::failed, this, report);
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
     connect(&m_bracelet, &BraceletService::failed, this, &OperatePage::onBraceletFailed);
@@ -163,6 +166,10 @@ void OperatePage::tick() {
     if (m_camera->tick() && active != nullptr) {
         ++active->displayed;
         m_latency_s = m_camera->latency_s();
+    }
+    if (m_gel->tick() && active != nullptr) {
+        ++active->displayed;
+        m_latency_s = m_gel->latency_s();
     }
     if (active != nullptr && active->joints() && !active->arm()) {
         active->displayed = active->joints()->samplesProcessed() - active->joints()->samplesNotShown();
@@ -239,6 +246,9 @@ void OperatePage::onActiveChanged() {
     const std::shared_ptr<pipeline::CameraChannel> camera = item != nullptr ? item->camera() : nullptr;
     if (camera != m_camera->camera())
         m_camera->setCamera(camera, provenance);
+    const std::shared_ptr<pipeline::GelChannel> gel = item != nullptr ? item->gel() : nullptr;
+    if (gel != m_gel->gel())
+        m_gel->setGel(gel, provenance);
     // Before the arm, whose surface is to stay.
     const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo() : nullptr;
     if (servo != m_servo->servo())
@@ -247,6 +257,7 @@ void OperatePage::onActiveChanged() {
     if (joints != m_arm->joints())
         m_arm->setArm(joints, provenance);
     m_docks->setKind(camera         ? OperateDocks::Kind::camera
+                     : gel          ? OperateDocks::Kind::gel
                      : m_arm->arm() ? OperateDocks::Kind::arm
                      : joints       ? OperateDocks::Kind::joints
                      : servo        ? OperateDocks::Kind::servo

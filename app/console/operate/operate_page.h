@@ -4,6 +4,7 @@
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/camera_views.h"
+#include "app/console/operate/gel_views.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/recording/mark_views.h"
 #include "app/console/operate/servo_views.h"
@@ -70,6 +71,7 @@ public:
     [[nodiscard]] OperateDocks& docks() { return *m_docks; }
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
+    [[nodiscard]] GelViews& gelViews() { return *m_gel; }
     [[nodiscard]] MarkViews& marks() { return *m_marks; }
     [[nodiscard]] SiteViews& siteViews() { return *m_site; }
     /// The shown source runs a program that can be held and restarted: an arm's program or a
@@ -127,6 +129,7 @@ private:
     ArmViews* m_arm;
     ServoViews* m_servo;
     CameraViews* m_camera;
+    GelViews* m_gel;
     MarkViews* m_marks;
     SiteViews* m_site;
     std::uint64_t m_settingsRevision = 0;

@@ -63,6 +63,14 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
          DemoText::tr("The arm follows a finger along its axis"), camera},
         {QStringLiteral(":/scenes/vtacarm-multicontact.toml"), DemoText::tr("Three fingers on a soft arm"),
          DemoText::tr("Contacts near the lens, in the middle and at the far end of the tube"), camera},
+        {QStringLiteral(":/scenes/gel-press.toml"), DemoText::tr("Balls press a flat gel"),
+         DemoText::tr("Markers on the skin of a flat gel move apart under two balls"), camera},
+        {QStringLiteral(":/scenes/gel-shear.toml"), DemoText::tr("A ball shears a flat gel"),
+         DemoText::tr("It is dragged to and fro and sticks but for a narrow rim"), camera},
+        {QStringLiteral(":/scenes/gel-slip.toml"), DemoText::tr("A ball slips on a flat gel"),
+         DemoText::tr("A ring of slip grows from the rim of the contact to its middle"), camera},
+        {QStringLiteral(":/scenes/gel-twist.toml"), DemoText::tr("A ball twists a flat gel"),
+         DemoText::tr("It is turned about the normal, and the skin turns with it"), camera},
     };
 }
 

@@ -41,6 +41,10 @@ std::shared_ptr<pipeline::CameraChannel> SourceManager::Item::camera() const {
     return std::dynamic_pointer_cast<pipeline::CameraChannel>(channel);
 }
 
+std::shared_ptr<pipeline::GelChannel> SourceManager::Item::gel() const {
+    return std::dynamic_pointer_cast<pipeline::GelChannel>(channel);
+}
+
 std::shared_ptr<servo::ServoLink> SourceManager::Item::servo() const {
     const auto shown = array();
     return shown ? shown->servo() : nullptr;

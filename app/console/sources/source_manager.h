@@ -5,6 +5,7 @@
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 
@@ -45,6 +46,7 @@ public:
         /// An arm with or without a skin.
         [[nodiscard]] std::shared_ptr<pipeline::JointChannel> joints() const;
         [[nodiscard]] std::shared_ptr<pipeline::CameraChannel> camera() const;
+        [[nodiscard]] std::shared_ptr<pipeline::GelChannel> gel() const;
         /// That moves the array.
         [[nodiscard]] std::shared_ptr<servo::ServoLink> servo() const;
     };

@@ -4,6 +4,7 @@
 #include "backend/arm/arm4_kinematics.h"
 #include "backend/simulation/arm/simulated_arm.h"
 #include "backend/simulation/array/simulated_array.h"
+#include "backend/simulation/camera/gel/gel_stage.h"
 #include "backend/simulation/camera/simulated_tube.h"
 #include "backend/simulation/servo/servo_loop.h"
 #include "widgets/base/colour_maps.h"
@@ -26,6 +27,7 @@ constexpr std::uint64_t kSeed = 1;
 constexpr double kArrayAt = 0.35;    ///< of the scene's duration: its indenters press by then
 constexpr double kServoTime_s = 4.0; ///< in contact by then
 constexpr double kCameraTime_s = 1.5;
+constexpr double kGelTime_s = 3.2;
 constexpr double kArmLongest_s = 30.0; ///< until something is touched
 constexpr double kArmAfter_s = 0.3;    ///< of the touch
 constexpr double kMargin = 0.08;       ///< of the picture
@@ -64,6 +66,25 @@ core::Expected<QImage> servoPicture(const scene::Scene& scene, const QSize& size
     return loadPicture(loop->frame(), loop->world().layout(), size, palette);
 }
 
+/// A grey picture that fills the space.
+QImage filled(const cv::Mat1b& frame, const QSize& size) {
+    const QImage image(frame.data, frame.cols, frame.rows, static_cast<qsizetype>(frame.step),
+                       QImage::Format_Grayscale8);
+    return image.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_RGB32);
+}
+
+core::Expected<QImage> gelPicture(const scene::Scene& scene, const QSize& size, const std::stop_token& stop) {
+    TELETA_TRY(const auto stage, simulation::GelStage::make(scene, kSeed));
+    cv::Mat1b frame;
+    do {
+        if (stop.stop_requested())
+            return stopped();
+        stage->next(frame);
+    } while (stage->time_s() < std::min(kGelTime_s, scene.duration_s));
+    return filled(frame, size);
+}
+
 core::Expected<QImage> cameraPicture(const scene::Scene& scene, const QSize& size,
                                      const std::stop_token& stop) {
     TELETA_TRY(const auto tube, simulation::SimulatedTube::make(scene, kSeed));
@@ -73,10 +94,7 @@ core::Expected<QImage> cameraPicture(const scene::Scene& scene, const QSize& siz
             return stopped();
         tube->next({}, frame);
     } while (tube->time_s() < std::min(kCameraTime_s, scene.duration_s));
-    const QImage image(frame.data, frame.cols, frame.rows, static_cast<qsizetype>(frame.step),
-                       QImage::Format_Grayscale8);
-    return image.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
-        .convertToFormat(QImage::Format_RGB32);
+    return filled(frame, size);
 }
 
 core::Expected<QImage> armPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
@@ -201,6 +219,8 @@ core::Expected<QImage> scenePicture(const scene::Scene& scene, const QSize& size
         return servoPicture(scene, size, palette, stop);
     if (scene.isCamera())
         return cameraPicture(scene, size, stop);
+    if (scene.isGel())
+        return gelPicture(scene, size, stop);
     return arrayPicture(scene, size, palette, stop);
 }
 

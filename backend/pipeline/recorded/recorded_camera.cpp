@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLargest = 1e12;
 
-/// Empty: the stream is one of references.
+/// Empty: the stream is one of references, or of a flat gel.
 core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Recording& recording,
                                                              std::size_t number) {
     const recording::StreamInfo& stream = recording.streams()[number];
@@ -25,7 +25,8 @@ core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Re
     if (!document)
         return notDescribed(stream, recording.path(), document.error());
     core::JsonReader reader(*document);
-    if (reader.boolean(reader.root(), "reference", false))
+    const bool isGel = !reader.text(reader.root(), "marker_gel", {}).empty();
+    if (isGel || reader.boolean(reader.root(), "reference", false))
         return std::optional<RecordedCamera>();
     const nlohmann::ordered_json& camera = reader.member(reader.root(), "camera");
     vision::BumpDetector::Settings bump;
@@ -130,10 +131,10 @@ core::Expected<std::vector<RecordedCamera>> recordedCameras(const recording::Rec
 }
 
 core::Expected<core::GreyImage> firstReference(const recording::Recording& recording,
-                                               const RecordedCamera& camera) {
-    if (!camera.referenceStream)
+                                               const std::optional<std::size_t>& referenceStream) {
+    if (!referenceStream)
         return core::GreyImage();
-    recording::StreamReader reader = recording.reader(*camera.referenceStream);
+    recording::StreamReader reader = recording.reader(*referenceStream);
     core::TappedFrames block;
     for (;;) {
         const core::Expected<bool> any = reader.next(block);

@@ -52,9 +52,9 @@ struct RecordedCamera {
 [[nodiscard]] core::Expected<std::vector<RecordedCamera>>
 recordedCameras(const recording::Recording& recording, std::optional<core::Error>& why);
 
-/// The reference with which a recorded camera begins: the first one that is whole; empty when it has none of
-/// its own. Error: ioFailed.
-[[nodiscard]] core::Expected<core::GreyImage> firstReference(const recording::Recording& recording,
-                                                             const RecordedCamera& camera);
+/// The reference with which a recorded camera begins: the first one of its stream that is whole; empty when
+/// it has none of its own. Error: ioFailed.
+[[nodiscard]] core::Expected<core::GreyImage>
+firstReference(const recording::Recording& recording, const std::optional<std::size_t>& referenceStream);
 
 } // namespace teleta::pipeline

@@ -78,12 +78,15 @@ core::Expected<RecordedSources> recordedSources(const Recording& recording) {
     RecordedSources sources{.arrays = {},
                             .arms = {},
                             .cameras = {},
+                            .gels = {},
                             .first_ns = std::numeric_limits<std::int64_t>::max(),
                             .last_ns = std::numeric_limits<std::int64_t>::min()};
     TELETA_TRY(sources.arrays, recordedArrays(recording, why));
     TELETA_CHECK(addArms(recording, sources, why));
     TELETA_TRY(sources.cameras, recordedCameras(recording, why));
-    const bool isEmpty = sources.arrays.empty() && sources.arms.empty() && sources.cameras.empty();
+    TELETA_TRY(sources.gels, recordedGels(recording, why));
+    const bool isEmpty =
+        sources.arrays.empty() && sources.arms.empty() && sources.cameras.empty() && sources.gels.empty();
     if (isEmpty && why)
         return core::Unexpected(*why);
     if (isEmpty)
@@ -103,6 +106,8 @@ core::Expected<RecordedSources> recordedSources(const Recording& recording) {
         include(arm.stream);
     for (const RecordedCamera& camera : sources.cameras)
         include(camera.stream);
+    for (const RecordedGel& gel : sources.gels)
+        include(gel.stream);
     return sources;
 }
 

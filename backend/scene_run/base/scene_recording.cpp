@@ -3,6 +3,7 @@
 
 #include "backend/core/failure.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
+#include "backend/pipeline/recorded/recorded_gel.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/scene_run/base/scene_settings.h"
@@ -113,6 +114,15 @@ void SceneRecording::beginCamera(const core::CameraDescription& description,
     m_contacts.tap = m_recorder->addStream(pipeline::contactStream("contacts", description));
 }
 
+void SceneRecording::beginGel(const core::CameraDescription& description, const vision::MarkerGelFile& file) {
+    if (!m_recorder)
+        return;
+    constexpr char kReference[] = "reference";
+    m_gelReference = m_recorder->addStream(pipeline::referenceStream(kReference, description));
+    m_pictures = m_recorder->addStream(pipeline::gelStream("camera", description, file, kReference));
+    m_contacts.tap = m_recorder->addStream(pipeline::gelContactStream("contacts", description));
+}
+
 void SceneRecording::append(core::StreamTap& tap, double time_s, const core::GreyImage& picture) {
     while (!tap.tryAppend({.image = picture, .time_ns = std::llround(time_s * 1e9), .capture_s = time_s}))
         std::this_thread::sleep_for(kWaitForWriter);
@@ -125,6 +135,19 @@ void SceneRecording::addPicture(double time_s, const core::GreyImage& picture) {
 
 void SceneRecording::addContact(double time_s, const vision::FollowedContact& followed) {
     m_contacts.add(time_s, pipeline::contactValues(followed));
+}
+
+void SceneRecording::addGelReference(const std::vector<cv::Mat1b>& pictures) {
+    if (!m_gelReference)
+        return;
+    std::vector<core::GreyImage> images;
+    for (const cv::Mat1b& picture : pictures)
+        images.push_back(core::greyImageOf(picture));
+    append(*m_gelReference, 0.0, pipeline::stackedReference(images));
+}
+
+void SceneRecording::addGelContact(double time_s, const vision::GelContactState& contact) {
+    m_contacts.add(time_s, pipeline::gelContactValues(contact));
 }
 
 void SceneRecording::addFrame(double time_s, std::span<const float> values) {

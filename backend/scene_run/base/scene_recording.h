@@ -12,6 +12,10 @@
 #include "backend/scene_run/base/run_options.h"
 #include "backend/vision/camera/cylinder_projection.h"
 #include "backend/vision/contacts/camera_tracker.h"
+#include "backend/vision/gel/gel_contacts.h"
+#include "backend/vision/gel/marker_gel_file.h"
+
+#include <opencv2/core.hpp>
 
 #include <memory>
 #include <span>
@@ -34,11 +38,16 @@ public:
     void beginCamera(const core::CameraDescription& description, const vision::CylinderCamera& camera,
                      const vision::BumpDetector::Settings& bump, const core::GreyImage& untouched);
 
+    void beginGel(const core::CameraDescription& description, const vision::MarkerGelFile& file);
+
     void addFrame(double time_s, std::span<const float> values);
     void addJoints(const core::JointSample& sample);
     void addTouch(const pipeline::TouchRecord& touch);
     void addPicture(double time_s, const core::GreyImage& picture);
     void addContact(double time_s, const vision::FollowedContact& followed);
+    /// Pictures of a gel at rest.
+    void addGelReference(const std::vector<cv::Mat1b>& pictures);
+    void addGelContact(double time_s, const vision::GelContactState& contact);
     /// Whether anything is written.
     [[nodiscard]] bool isOpen() const { return m_recorder != nullptr; }
 
@@ -68,6 +77,7 @@ private:
     Batch<double> m_touches;
     Batch<double> m_contacts;
     std::shared_ptr<core::StreamTap> m_pictures;
+    std::shared_ptr<core::StreamTap> m_gelReference;
 };
 
 } // namespace teleta::scene_run

@@ -58,6 +58,12 @@ const std::vector<GelContactState>& GelContacts::next(const MarkerGel& gel) {
     return m_contacts;
 }
 
+void GelContacts::forget() {
+    m_followed.clear();
+    m_contacts.clear();
+    m_before_m.clear();
+}
+
 std::vector<SkinPatch> GelContacts::findPatches(const MarkerGel& gel) {
     m_nodes.assign(gel.markers().size(), {});
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
@@ -104,7 +110,7 @@ GelContactState GelContacts::measured(const MarkerGel& gel, const SkinPatch& pat
     GelContactState contact;
     contact.markers = patch.nodes;
     contact.area_m2 = markerArea_m2 * static_cast<double>(patch.nodes.size());
-    std::vector<Eigen::Vector2d> places_m;
+    std::vector<Eigen::Vector2d> places_m, places_px;
     // Of the displacements: their sum, that of their sizes, and places weighed by their upper half, since
     // tails reach far, and other contacts cut them off on one side.
     Eigen::Vector2d moved_m = Eigen::Vector2d::Zero();
@@ -114,6 +120,7 @@ GelContactState GelContacts::measured(const MarkerGel& gel, const SkinPatch& pat
         if (!motions[i].found)
             continue;
         places_m.push_back(now_m(i));
+        places_px.push_back(motions[i].place_px);
         moved_m += motions[i].displacement_m;
         const double size_m = motions[i].displacement_m.norm();
         sizes_m += size_m;
@@ -153,6 +160,7 @@ GelContactState GelContacts::measured(const MarkerGel& gel, const SkinPatch& pat
         contact.shearProxy_m = moved_m / static_cast<double>(places_m.size()) - outside_m;
     contact.torsion_rad = known > 0.0 ? 0.5 * curl / known : 0.0;
     contact.outline = places_m.size() >= 3 ? hullOf(places_m) : places_m;
+    contact.outline_px = places_px.size() >= 3 ? hullOf(places_px) : places_px;
     return contact;
 }
 

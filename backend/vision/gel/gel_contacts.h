@@ -18,7 +18,8 @@ struct GelContactState {
     int id = 0;                           ///< from 1; stays while its markers overlap from picture to picture
     std::vector<std::size_t> markers;     ///< in order of falling displacement
     std::vector<Eigen::Vector2d> outline; ///< convex, in m, counter-clockwise from x to y
-    double area_m2 = 0.0;                 ///< number of markers times the area of one
+    std::vector<Eigen::Vector2d> outline_px; ///< convex, in the picture
+    double area_m2 = 0.0;                    ///< number of markers times the area of one
     Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
     double normalProxy_m2 = 0.0; ///< sum of max(divergence, 0) times the area of a marker
     Eigen::Vector2d shearProxy_m =
@@ -37,6 +38,8 @@ class GelContacts {
 public:
     /// The contacts of the next picture, the largest displacement first.
     [[nodiscard]] const std::vector<GelContactState>& next(const MarkerGel& gel);
+    /// Contacts of the next picture are new; its markers may be others. For use after a gap in the stream.
+    void forget();
 
 private:
     struct Followed {

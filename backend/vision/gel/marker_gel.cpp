@@ -98,7 +98,7 @@ core::Unexpected tooFew(std::size_t found) {
 
 } // namespace
 
-core::Expected<cv::Mat1b> MarkerGel::picture(const MarkerGelFile& file, const cv::Mat1b& frame) {
+core::Expected<cv::Mat1b> MarkerGel::part(const MarkerGelFile& file, const cv::Mat1b& frame) {
     cv::Rect part(0, 0, frame.cols, frame.rows);
     if (file.crop.size() == 4)
         part = {static_cast<int>(file.crop[0]), static_cast<int>(file.crop[1]),
@@ -114,9 +114,14 @@ core::Expected<cv::Mat1b> MarkerGel::picture(const MarkerGelFile& file, const cv
         cv::flip(picture, flipped, file.flipX && file.flipY ? -1 : file.flipX ? 1 : 0);
         picture = flipped;
     }
-    if (file.polarity == MarkerPolarity::bright)
-        return cv::Mat1b(255 - picture);
     return picture;
+}
+
+core::Expected<cv::Mat1b> MarkerGel::picture(const MarkerGelFile& file, const cv::Mat1b& frame) {
+    TELETA_TRY(cv::Mat1b shown, part(file, frame));
+    if (file.polarity == MarkerPolarity::bright)
+        return cv::Mat1b(255 - shown);
+    return shown;
 }
 
 core::Expected<MarkerGel> MarkerGel::make(const MarkerGelFile& file, std::span<const cv::Mat1b> first) {
@@ -310,15 +315,10 @@ void MarkerGel::judge(const cv::Mat1b& picture, double time_s) {
     m_faults.torn = time_s - m_lostSince_s >= kTornFor_s;
 }
 
-void MarkerGel::renewReference() {
-    for (std::size_t i = 0; i < m_markers.size(); ++i) {
-        if (!m_tracker.markers()[i].found)
-            continue;
-        m_markers[i].rest_px = m_tracker.markers()[i].now_px;
-        m_markers[i].rest_m = m_plane.surface_m(m_markers[i].rest_px);
-        m_tracker.setRest(i, m_markers[i].rest_px);
-    }
-    place();
+void MarkerGel::forget() {
+    m_tracker.forget();
+    m_usualLevel = std::numeric_limits<double>::quiet_NaN();
+    m_lostSince_s = std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace teleta::vision

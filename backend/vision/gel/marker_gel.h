@@ -44,8 +44,10 @@ class MarkerGel {
 public:
     static constexpr std::size_t kReferencePictures = 8;
 
-    /// The part of a camera's picture that the file names, with dark markers. frame: of one channel.
-    /// Error: refused when the crop reaches out of the picture.
+    /// The part of a camera's picture that the file names: cropped, then flipped. frame: of one channel; the
+    /// part may share its pixels. Error: refused when the crop reaches out of the picture.
+    [[nodiscard]] static core::Expected<cv::Mat1b> part(const MarkerGelFile& file, const cv::Mat1b& frame);
+    /// The same with dark markers.
     [[nodiscard]] static core::Expected<cv::Mat1b> picture(const MarkerGelFile& file, const cv::Mat1b& frame);
 
     /// first: the first pictures of the stream, from picture(); at least one, and of these up to 8 are used.
@@ -56,9 +58,8 @@ public:
     /// Follows the markers into the next picture; the first ones are given again. time_s: rises.
     /// Error: refused when the size of the picture has changed.
     [[nodiscard]] core::Expected<void> track(const cv::Mat1b& picture, double time_s);
-    /// The markers where they are now become those at rest; those that are lost keep their place. A person
-    /// calls it while nothing touches the gel.
-    void renewReference();
+    /// Expects all markers at rest, for use after a gap in the stream.
+    void forget();
 
     [[nodiscard]] const std::vector<GelMarker>& markers() const { return m_markers; }
     [[nodiscard]] const std::vector<GelMotion>& motions() const { return m_motions; }

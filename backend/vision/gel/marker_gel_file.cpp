@@ -3,6 +3,8 @@
 
 #include "backend/core/keys/key_lists.h"
 #include "backend/core/keys/toml_keys.h"
+#include "backend/core/keys/toml_string.h"
+#include "backend/core/number_text.h"
 
 #include <QCoreApplication>
 
@@ -10,7 +12,10 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace teleta::vision {
 
@@ -19,6 +24,11 @@ namespace {
 struct GelFileText {
     Q_DECLARE_TR_FUNCTIONS(MarkerGelFile)
 };
+
+// In the order of their enumerators.
+constexpr std::array kChannels{"grey", "red", "green", "blue"};
+constexpr std::array kPolarities{"dark", "bright"};
+constexpr std::array kGrids{"rectangular", "hexagonal", "free"};
 
 constexpr double kMostPixels = 100000.0;
 constexpr double kMostLensValue = 1e6;
@@ -134,6 +144,58 @@ core::Expected<MarkerGelFile> parseMarkerGel(std::string_view text, const std::s
     TELETA_TRY(const auto document, core::TomlDocument::parse(text, file));
     TELETA_TRY(MarkerGelFile gel, core::readKeys<MarkerGelFile>(document));
     return withScale(std::move(gel), file);
+}
+
+std::string markerGelText(const MarkerGelFile& gel) {
+    std::string text;
+    const auto write = [&text](const char* key, const std::string& value) {
+        ((text += key) += " = ") += value + '\n';
+    };
+    const auto number = [&](const char* key, double value) {
+        write(key, std::string(core::NumberText(value).view()));
+    };
+    const auto list = [&](const char* key, const std::vector<double>& values) {
+        std::string all;
+        for (const double value : values)
+            (all += all.empty() ? "" : ", ") += core::NumberText(value).view();
+        if (!values.empty())
+            write(key, '[' + all + ']');
+    };
+    const auto word = [&](const char* key, const std::string& chosen) {
+        write(key, core::quotedToml(chosen));
+    };
+    write("kind", "\"marker_gel\"");
+    write("name", core::quotedToml(gel.name));
+    if (!gel.source.empty())
+        write("source", core::quotedToml(gel.source));
+    list("crop", gel.crop);
+    write("flip_x", gel.flipX ? "true" : "false");
+    write("flip_y", gel.flipY ? "true" : "false");
+    number("rate_Hz", gel.rate_Hz);
+    word("channel", kChannels.at(static_cast<std::size_t>(gel.channel)));
+    word("marker", kPolarities.at(static_cast<std::size_t>(gel.polarity)));
+    number("diameter_px", gel.diameter_px);
+    word("grid", kGrids.at(static_cast<std::size_t>(gel.grid)));
+    if (gel.grid == MarkerGrid::rectangular) {
+        write("rows", std::to_string(gel.rows));
+        write("columns", std::to_string(gel.columns));
+    }
+    text += "[plane]\n";
+    if (gel.plane.mmPerPx)
+        number("mm_per_px", *gel.plane.mmPerPx);
+    list("homography", gel.plane.homography);
+    if (gel.plane.pitch_mm)
+        number("pitch_mm", *gel.plane.pitch_mm);
+    if (!gel.lens)
+        return text;
+    text += "[lens]\n";
+    const MarkerGelFile::Lens& lens = *gel.lens;
+    for (const auto& [key, value] :
+         {std::pair("fx", lens.fx_px), std::pair("fy", lens.fy_px), std::pair("cx", lens.cx_px),
+          std::pair("cy", lens.cy_px), std::pair("k1", lens.k1), std::pair("k2", lens.k2),
+          std::pair("p1", lens.p1), std::pair("p2", lens.p2), std::pair("k3", lens.k3)})
+        number(key, value);
+    return text;
 }
 
 } // namespace teleta::vision

@@ -51,5 +51,7 @@ struct MarkerGelFile {
 /// Error: notFound, badInput with file, line and column. Thread: any.
 [[nodiscard]] core::Expected<MarkerGelFile> readMarkerGel(const std::string& path);
 [[nodiscard]] core::Expected<MarkerGelFile> parseMarkerGel(std::string_view text, const std::string& file);
+/// As TOML, which parseMarkerGel() reads back. Thread: any (pure).
+[[nodiscard]] std::string markerGelText(const MarkerGelFile& gel);
 
 } // namespace teleta::vision

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace teleta::vision {
@@ -15,14 +16,15 @@ inline constexpr std::array<std::string_view, 12> kMarkerColumns{"frame",  "time
                                                                  "column", "rest_u_px", "rest_v_px", "u_px",
                                                                  "v_px",   "dx_m",      "dy_m",      "found"};
 
-/// Writes all markers of a picture. Rows: a type with the members of core::CsvWriter. A lost marker has no
-/// place, and one of a free layout no row and column: NA.
+/// Writes all markers of a picture. markers, motions: one each. Rows: a type with the members of
+/// core::CsvWriter. A lost marker has no place, and one of a free layout no row and column: NA.
 template <typename Rows>
-void writeMarkers(Rows& rows, long long frame, double time_s, const MarkerGel& gel) {
+void writeMarkers(Rows& rows, long long frame, double time_s, std::span<const GelMarker> markers,
+                  std::span<const GelMotion> motions) {
     const std::optional<double> none;
-    for (std::size_t i = 0; i < gel.markers().size(); ++i) {
-        const GelMarker& marker = gel.markers()[i];
-        const GelMotion& motion = gel.motions()[i];
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const GelMarker& marker = markers[i];
+        const GelMotion& motion = motions[i];
         rows.integer(frame);
         rows.number(time_s);
         rows.integer(static_cast<long long>(i));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/gel_video.h"
 #include "tests/app/cli/program_run.h"
 #include "tests/devices/camera/written_video.h"
 
@@ -90,6 +91,30 @@ TEST_F(DevicesCommand, readsACameraAndAVideoOfOne) {
     EXPECT_NE(missing.out.find("camera 9876 cannot be opened"), std::string::npos) << missing.out;
 }
 
+TEST_F(DevicesCommand, probesAFlatGelForItsMarkers) {
+    const std::string video = m_folder.path("press.avi");
+    ASSERT_TRUE(teleta::test::writeGelVideo(video, 12));
+    const std::string file = teleta::test::kGelFile;
+    const ProgramResult result = probe("source = 'press.avi'\n" + file, {"--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const ordered_json device = ordered_json::parse(result.out)["devices"][0];
+    EXPECT_EQ(device["kind"], "marker_gel");
+    EXPECT_EQ(device["where"], video);
+    EXPECT_EQ(device["frame_rate_hz"], 25.0);
+    EXPECT_EQ(device["values"][2]["name"], "markers");
+    EXPECT_EQ(device["values"][2]["value"], 80.0);
+    EXPECT_NEAR(device["values"][4]["value"].get<double>(), 28.0, 0.1);
+    // Another grid than the one in the picture, no source, no such camera.
+    const std::vector<std::string> wrong{"source = 'press.avi'\nkind = 'marker_gel'\ngrid = 'rectangular'\n"
+                                         "rows = 30\ncolumns = 40\n[plane]\nmm_per_px = 0.1\n",
+                                         file, "source = '9876'\n" + file};
+    for (const std::string& text : wrong) {
+        const ProgramResult refused = probe(text, {"--json"});
+        EXPECT_EQ(refused.exitCode, 1) << refused.err;
+        EXPECT_EQ(ordered_json::parse(refused.out)["devices"][0]["connected"], false) << refused.out;
+    }
+}
+
 TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
     struct Case {
         std::string text;
@@ -98,7 +123,8 @@ TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
     const std::vector<Case> cases = {
         {"kind = 'modem'\n", "d.toml:1:8: unknown value \"modem\" of \"kind\""},
         {"name = 'n'\n", "d.toml:1:1: \"kind\" is missing (expected kind = \"modbus\", \"wts\", \"camera\", "
-                         "\"hid_bracelet\", \"taxels\", \"magnetometers\", \"xela\" or \"sound_bracelet\")"},
+                         "\"hid_bracelet\", \"taxels\", \"magnetometers\", \"xela\", \"sound_bracelet\" or "
+                         "\"marker_gel\")"},
         {"kind = 'hid_bracelet'\nname = 'b'\nvendor_id = 70000\nproduct_id = 1\n", "d.toml:3:13: "},
         {kNobody + "scale = 0\n", "d.toml:14:9: \"scale\" is 0"},
         {"kind = 'wts'\nname = 'a'\naddress = 'tcp://h'\n", "d.toml:3:11: "},

@@ -98,6 +98,15 @@ TEST_F(MarkersCommand, summarizesTheVideo) {
     EXPECT_GT(summary["contacts"][0]["shear_proxy_x_m"].get<double>(), 1e-4);
 }
 
+TEST_F(MarkersCommand, takesTheSourceThatTheSensorFileNames) {
+    const std::string sensor =
+        m_folder.write("named.toml", "source = \"press.avi\"\n" + std::string(teleta::test::kGelFile));
+    const ProgramResult result = run({"markers", "--sensor", sensor, "--summary", "--json"});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["frames"], kFrames);
+    EXPECT_EQ(run({"markers", "--sensor", m_sensor}).exitCode, 2);
+}
+
 TEST_F(MarkersCommand, numbersAFreeLayoutWithoutRows) {
     const std::string sensor =
         m_folder.write("free.toml", "kind = \"marker_gel\"\ngrid = \"free\"\n[plane]\npitch_mm = 2.8\n");

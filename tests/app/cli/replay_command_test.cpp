@@ -237,3 +237,28 @@ TEST(ReplayCommandOfACamera, picturesThatCannotBeUsedAreTold) {
     EXPECT_EQ(replayed.exitCode, 0) << replayed.err;
     EXPECT_NE(replayed.err.find("1 of 9 frames could not be used"), std::string::npos) << replayed.err;
 }
+
+TEST(ReplayCommandOfAGel, theContactsAreThoseOfTheRun) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run({"simulate", "gel-slip", "--duration", "2.6", "--out", folder.path("run")}).exitCode, 0);
+    const std::string recording = folder.path("run/recording.teleta");
+    const ProgramResult replayed = run({"replay", recording});
+    ASSERT_EQ(replayed.exitCode, 0) << replayed.err;
+    const auto rows = splitCsv(replayed.out);
+    const auto expected = splitCsv(readAll(folder.path("run/contacts.csv")));
+    ASSERT_EQ(rows.size(), expected.size());
+    ASSERT_GT(rows.size(), 20U) << "the ball comes after a second";
+    EXPECT_EQ(rows[0], expected[0]);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i][0], expected[i][0]) << "frame of row " << i;
+        EXPECT_EQ(rows[i][2], expected[i][2]) << "contact of row " << i;
+        for (std::size_t column = 3; column + 1 < rows[i].size(); ++column)
+            EXPECT_NEAR(std::stod(rows[i][column]), std::stod(expected[i][column]), 1e-9)
+                << "row " << i << ", column " << column;
+    }
+    EXPECT_EQ(run({"replay", recording, "--threshold", "1"}).exitCode, 2);
+    ASSERT_EQ(run({"export", recording, "--csv", folder.path("csv")}).exitCode, 0);
+    EXPECT_EQ(splitCsv(readAll(folder.path("csv/camera.csv"))).size(), 1U + 65U) << "2.6 s at 25 Hz";
+    EXPECT_EQ(splitCsv(readAll(folder.path("csv/reference.csv"))).size(), 2U);
+    EXPECT_EQ(splitCsv(readAll(folder.path("csv/contacts.csv"))).size(), expected.size());
+}

@@ -123,6 +123,7 @@ TEST_F(WrittenColumns, ofScenesAndTheirRecordingsAllHaveAnEntryInTheTableOfUnits
     simulate("vtacarm-multicontact", "0.1");
     simulate("vtacarm-bump", "0.1");
     simulate("vtacarm-calibration", "60");
+    simulate("gel-slip", "2");
     checkAll();
     EXPECT_GT(m_tables, 20);
     EXPECT_EQ(m_wrong, "");

@@ -128,7 +128,7 @@ TEST(SceneReader, placesWhatIsWrongInTheSensor) {
                 "[[effects]]\nname = \"dead_taxels\"\nwhy = \"w\"\n"
                 "taxels = [{ row = 3, column = 3 }]\n"),
         "s.toml:5:2: unknown key \"sensr\"; perhaps \"sensor\" is meant (expected one of: name, description, "
-        "duration_s, rate_Hz, arm, robot, camera, sensor, indenter, effects)");
+        "duration_s, rate_Hz, arm, robot, camera, gel, sensor, indenter, effects)");
     EXPECT_EQ(errorOf(kHead + kSensor + "pitch = 1\n" + kIndenter),
               "s.toml:12:1: \"pitch\" has no unit in its name (expected pitch_m)");
     EXPECT_EQ(errorOf(kHead + "[sensor]\nkind = \"aray\"\n" + kIndenter),

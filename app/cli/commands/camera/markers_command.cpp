@@ -5,6 +5,7 @@
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/commands/camera/camera_commands.h"
+#include "backend/core/beside_file.h"
 #include "backend/core/failure.h"
 #include "backend/vision/gel/gel_contacts.h"
 #include "backend/vision/gel/marker_gel.h"
@@ -57,9 +58,9 @@ public:
     void declare(CLI::App& app) {
         addOption(app, "video", m_video,
                   MarkersText::tr("Video, pattern of numbered images (frame_%04d.png) or number of a camera; "
-                                  "nothing touches the gel in the first frames"),
-                  "VIDEO")
-            ->required();
+                                  "nothing touches the gel in the first frames. Default: the source that the "
+                                  "sensor file names"),
+                  "VIDEO");
         addOption(app, "--sensor", m_sensorPath, MarkersText::tr("Sensor file of kind \"marker_gel\""),
                   "FILE.toml")
             ->required();
@@ -69,10 +70,16 @@ public:
     }
 
     [[nodiscard]] core::Expected<void> run() {
-        refuseToReplace(m_output.outPath, std::array{m_video, m_sensorPath});
         if (m_summaryOnly && !m_output.outPath.empty())
             refuse("--summary", MarkersText::tr("a summary is printed; --out writes the table"));
         TELETA_TRY(const vision::MarkerGelFile file, vision::readMarkerGel(m_sensorPath));
+        if (m_video.empty() && file.source.empty())
+            refuse("VIDEO",
+                   MarkersText::tr("neither a video is given nor does the sensor file name a source"));
+        if (m_video.empty())
+            m_video = camera::isCameraNumber(file.source) ? file.source
+                                                          : core::besideFile(m_sensorPath, file.source);
+        refuseToReplace(m_output.outPath, std::array{m_video, m_sensorPath});
         TELETA_TRY(
             camera::VideoStream stream,
             camera::VideoStream::open(m_video, {.rate_Hz = file.rate_Hz,
@@ -109,7 +116,7 @@ public:
             if (m_summaryOnly)
                 addContacts(gel, frame.time_s);
             if (rows) {
-                vision::writeMarkers(*rows, frame.number, frame.time_s, gel);
+                vision::writeMarkers(*rows, frame.number, frame.time_s, gel.markers(), gel.motions());
                 rows->flushIfDue();
             }
             progress.update(frame.time_s, duration_s);

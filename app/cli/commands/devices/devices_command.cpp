@@ -5,15 +5,19 @@
 #include "app/cli/commands/devices/device_files.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/devices/taxels_report.h"
+#include "backend/core/beside_file.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/data/sample_block.h"
 #include "backend/core/failure.h"
 #include "backend/core/keys/toml_keys.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/core/threads/wakeup.h"
+#include "backend/vision/gel/marker_gel.h"
+#include "backend/vision/gel/marker_gel_file.h"
 #include "devices/bracelet/hid_bracelet.h"
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/camera/camera_list.h"
+#include "devices/camera/video_stream.h"
 #include "devices/link/link_address.h"
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_probe.h"
@@ -53,7 +57,7 @@ struct DeviceValue {
 
 /// A device that was found, or one that was looked for and not found.
 struct FoundDevice {
-    /// hid_bracelet, sound_bracelet, mouse3d, modbus, wts, camera, or of a taxels::isArrayKind()
+    /// hid_bracelet, sound_bracelet, mouse3d, modbus, wts, camera, marker_gel, or of a taxels::isArrayKind()
     std::string kind;
     std::string name;
     std::string where;                    ///< path or address
@@ -232,6 +236,67 @@ core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document) {
     return found;
 }
 
+/// Frames of the gel at rest, from its camera or the beginning of a video.
+core::Expected<std::vector<cv::Mat1b>> firstFrames(const vision::MarkerGelFile& file,
+                                                   const std::string& source) {
+    using Outcome = camera::VideoStream::Outcome;
+    TELETA_TRY(auto stream, camera::VideoStream::open(
+                                source, {.rate_Hz = file.rate_Hz,
+                                         .channel = static_cast<camera::VideoChannel>(file.channel)}));
+    std::vector<cv::Mat1b> frames;
+    while (frames.size() < vision::MarkerGel::kReferencePictures && !interrupted()) {
+        cv::Mat1b frame;
+        double time_s = 0.0;
+        const Outcome outcome = stream.next(frame, time_s);
+        if (outcome == Outcome::ended || outcome == Outcome::gone)
+            break;
+        if (outcome != Outcome::frame)
+            continue;
+        TELETA_TRY(const cv::Mat1b picture, vision::MarkerGel::picture(file, frame));
+        frames.push_back(picture.clone()); // the stream may use its memory again
+    }
+    return frames;
+}
+
+core::Expected<FoundDevice> probeGel(const std::string& path) {
+    TELETA_TRY(const auto file, vision::readMarkerGel(path));
+    const std::string source =
+        camera::isCameraNumber(file.source) ? file.source : core::besideFile(path, file.source);
+    FoundDevice found{.kind = "marker_gel", .name = file.name, .where = source};
+    if (file.source.empty()) {
+        found.error =
+            core::Error{core::ErrorKind::badInput,
+                        DevicesText::tr("the sensor file names no camera and no video").toStdString(),
+                        DevicesText::tr("a key \"source\"").toStdString(),
+                        {path}};
+        return found;
+    }
+    const auto probe = camera::probeCamera(source, 0, 0, file.rate_Hz);
+    found.error = errorOf(probe);
+    if (!probe)
+        return found;
+    if (probe->measuredRate_Hz)
+        found.frameRate_Hz = probe->measuredRate_Hz;
+    else if (probe->nominalRate_Hz > 0.0)
+        found.frameRate_Hz = probe->nominalRate_Hz;
+    found.values = {{"width", static_cast<double>(probe->width_px), "px"},
+                    {"height", static_cast<double>(probe->height_px), "px"}};
+    const auto frames = firstFrames(file, source);
+    if (!frames || frames->empty()) {
+        found.error = errorOf(frames);
+        return found;
+    }
+    const auto gel = vision::MarkerGel::make(file, *frames);
+    found.error = errorOf(gel);
+    if (gel) {
+        found.values.push_back({"markers", static_cast<double>(gel->markers().size()), "1"});
+        found.values.push_back({"marker_diameter", gel->diameter_px(), "px"});
+        found.values.push_back({"marker_pitch", gel->pitch_px(), "px"});
+        found.values.push_back({"place_noise", gel->noise_px(), "px"});
+    }
+    return found;
+}
+
 /// What is wrong with what came, in which there is no frame.
 QString withoutFrames(const taxels::TaxelsProbe& probe, const std::string& kind) {
     if (probe.bytes.empty())
@@ -263,7 +328,7 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     core::TomlTable root = document.root();
     const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet", "taxels",
-                                                  "magnetometers", "xela", "sound_bracelet"});
+                                                  "magnetometers", "xela", "sound_bracelet", "marker_gel"});
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     // Without a kind the other keys say nothing either.
@@ -272,7 +337,7 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
         return core::failed(
             core::ErrorKind::badInput, DevicesText::tr("\"kind\" is missing"),
             DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\", \"hid_bracelet\", \"taxels\", "
-                            "\"magnetometers\", \"xela\" or \"sound_bracelet\""),
+                            "\"magnetometers\", \"xela\", \"sound_bracelet\" or \"marker_gel\""),
             {path, 1, 1});
     }
     if (kind == 0)
@@ -281,6 +346,8 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
         return probeBracelet(path);
     if (kind == 7)
         return probeSound(path);
+    if (kind == 8)
+        return probeGel(path);
     if (const std::string name = root.text("kind"); taxels::isArrayKind(name))
         return probeStream(path, name, bytes);
     return kind == 1 ? probeArray(document) : probeCamera(document);
@@ -318,6 +385,8 @@ QString kindName(const std::string& kind) {
         return DevicesText::tr("Tactile array");
     if (kind == "camera")
         return DevicesText::tr("Camera");
+    if (kind == "marker_gel")
+        return DevicesText::tr("Flat gel with markers");
     return DevicesText::tr("Modbus device");
 }
 

@@ -14,6 +14,8 @@
 #include "backend/vision/contacts/contact_rows.h"
 #include "backend/vision/finders/contact_ladder.h"
 #include "backend/vision/finders/picture_view.h"
+#include "backend/vision/gel/gel_contact_rows.h"
+#include "backend/vision/gel/gel_follower.h"
 #include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
 
@@ -30,6 +32,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace teleta::cli {
 
@@ -64,7 +67,7 @@ core::Expected<void> finish(RowOutput& rows, const replay::RecordedControl& sour
     return unlessCut(rows.finish());
 }
 
-using Source = std::variant<pipeline::RecordedSource, pipeline::RecordedCamera>;
+using Source = std::variant<pipeline::RecordedSource, pipeline::RecordedCamera, pipeline::RecordedGel>;
 
 class ReplayCommand {
 public:
@@ -90,6 +93,8 @@ public:
         TELETA_TRY(Source source, chooseSource(recording));
         if (const auto* camera = std::get_if<pipeline::RecordedCamera>(&source))
             return replayCamera(recording, *camera);
+        if (const auto* gel = std::get_if<pipeline::RecordedGel>(&source))
+            return replayGel(recording, *gel);
         auto array = std::get<pipeline::RecordedSource>(std::move(source));
         if (pipeline::settingsChanged(recording.events(), recording.streams()[array.arrayStream].name))
             warn(
@@ -100,7 +105,7 @@ public:
 private:
     [[nodiscard]] core::Expected<Source> chooseSource(const recording::Recording& recording) const {
         TELETA_TRY(auto sources, pipeline::recordedSources(recording));
-        if (sources.arrays.empty() && sources.cameras.empty())
+        if (sources.arrays.empty() && sources.cameras.empty() && sources.gels.empty())
             return core::failed(core::ErrorKind::refused,
                                 ReplayText::tr("the recording has the joints of an arm, and nothing that is "
                                                "computed from them"),
@@ -115,6 +120,9 @@ private:
             if (isChosen(source.arrayStream))
                 return Source(std::move(source));
         for (pipeline::RecordedCamera& source : sources.cameras)
+            if (isChosen(source.stream))
+                return Source(std::move(source));
+        for (pipeline::RecordedGel& source : sources.gels)
             if (isChosen(source.stream))
                 return Source(std::move(source));
         // What is there under that name may not be described.
@@ -144,7 +152,7 @@ private:
                                       .arg(QString::fromStdString(recording.streams()[source.stream].name)));
         TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), source.camera));
         vision::CameraTracker tracker(std::move(finder), {.identities = {}, .bump = source.bump});
-        TELETA_TRY(const auto reference, pipeline::firstReference(recording, source));
+        TELETA_TRY(const auto reference, pipeline::firstReference(recording, source.referenceStream));
         if (!reference.isEmpty()) {
             TELETA_CHECK(tracker.next(vision::viewOf(reference), 0.0));
         }
@@ -191,6 +199,66 @@ private:
         progress.erase();
         warnOfUnusableFrames(tracker);
         return finish(rows, camera, status, lost + status.framesLost);
+    }
+
+    [[nodiscard]] core::Expected<void> replayGel(const recording::Recording& recording,
+                                                 const pipeline::RecordedGel& source) {
+        if (m_threshold)
+            refuse("--threshold", ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
+                                      .arg(QString::fromStdString(recording.streams()[source.stream].name)));
+        TELETA_TRY(core::GreyImage reference, pipeline::firstReference(recording, source.referenceStream));
+        replay::RecordedConfig config = configOf(source.stream);
+        config.camera = source.description;
+        config.referenceStream = source.referenceStream;
+        TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
+        TELETA_TRY(RowOutput rows, RowOutput::open(vision::kGelContactColumns, m_output));
+
+        core::Wakeup data;
+        replay::RecordedCamera camera(player);
+        vision::GelFollower follower(source.file);
+        ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
+        camera.start(data);
+        core::DeviceStatus status;
+        long long done = 0;
+        std::uint64_t lost = 0; // to a follower that is slower than the playing
+        for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
+            status = camera.status();
+            ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
+            if (!ended)
+                data.waitFor(kIdle);
+            core::CameraFrame frame;
+            while (!interrupted() && camera.pop(frame)) {
+                ++done;
+                lost += frame.passedOver;
+                if (frame.discontinuity)
+                    follower.forget();
+                if (!frame.reference.isEmpty())
+                    reference = frame.reference;
+                takeReference(follower, std::exchange(reference, {}), frame.image);
+                follower.next(vision::viewOf(frame.image), frame.capture_s);
+                for (const vision::GelContactState& contact : follower.contacts())
+                    vision::writeGelContact(rows, static_cast<long long>(frame.number), frame.capture_s,
+                                            contact);
+                rows.flushIfDue();
+                progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
+            }
+        }
+        camera.stop();
+        progress.erase();
+        return finish(rows, camera, status, lost + status.framesLost);
+    }
+
+    /// The recorded pictures of the gel at rest, if there are any; otherwise the first pictures show it.
+    static void takeReference(vision::GelFollower& follower, const core::GreyImage& stack,
+                              const core::GreyImage& picture) {
+        std::vector<cv::Mat1b> parts;
+        const auto pictures = pipeline::unstackedReference(stack, picture.width_px, picture.height_px);
+        for (const core::GreyImage& part : pictures)
+            parts.push_back(vision::viewOf(part));
+        if (parts.empty())
+            return;
+        if (const auto taken = follower.setReference(parts); !taken)
+            warn(QString::fromStdString(taken.error().message));
     }
 
     [[nodiscard]] core::Expected<void> replayArray(pipeline::RecordedSource source) {

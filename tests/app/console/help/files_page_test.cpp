@@ -31,6 +31,7 @@ enum Section {
     arrayScene,
     armScene,
     cameraScene,
+    gelScene,
     servoScene,
     effects,
     taxelEffects,
@@ -59,6 +60,7 @@ enum Section {
     cameraSource,
     armSource,
     taxelsSource,
+    gelSource,
     sections
 };
 
@@ -85,6 +87,7 @@ const std::vector<PageWords>& pages() {
           "A tactile array",
           "An arm among objects",
           "A camera in a soft tube",
+          "A flat gel",
           "A servoing arm",
           "Effects",
           "Of any tactile array",
@@ -112,7 +115,8 @@ const std::vector<PageWords>& pages() {
           "Weiss array",
           "Camera",
           "Arm over ROS 2",
-          "Array of any make"}},
+          "Array of any make",
+          "Flat gel with markers"}},
         {"fr",
          "Fichiers",
          "Les scènes, les protocoles d'étude, les appareils et les listes de sources sont des fichiers TOML. "
@@ -137,6 +141,7 @@ const std::vector<PageWords>& pages() {
           "Un réseau tactile",
           "Un bras parmi des objets",
           "Une caméra dans un tube souple",
+          "Un gel plat",
           "Un bras asservi",
           "Effets",
           "De tout réseau tactile",
@@ -164,7 +169,8 @@ const std::vector<PageWords>& pages() {
           "Réseau Weiss",
           "Caméra",
           "Bras sur ROS 2",
-          "Matrice quelconque"}},
+          "Matrice quelconque",
+          "Gel plat à marqueurs"}},
         {"ja",
          "ファイル",
          "シーン、実験計画、機器、ソースの一覧は TOML "
@@ -187,6 +193,7 @@ const std::vector<PageWords>& pages() {
           "触覚アレイ",
           "物体の中のアーム",
           "柔らかい管の中のカメラ",
+          "平らなゲル",
           "サーボするアーム",
           "効果",
           "すべての触覚アレイ",
@@ -214,7 +221,8 @@ const std::vector<PageWords>& pages() {
           "Weiss アレイ",
           "カメラ",
           "ROS 2のアーム",
-          "任意のアレイ"}},
+          "任意のアレイ",
+          "マーカー付きの平らなゲル"}},
         {"zh_CN",
          "文件",
          "场景、实验方案、设备和信号源列表都是 TOML 文件。本页列出程序从中读取的所有键。键名以单位结尾。"
@@ -235,6 +243,7 @@ const std::vector<PageWords>& pages() {
           "触觉阵列",
           "物体之间的机械臂",
           "软管中的摄像头",
+          "平面凝胶",
           "伺服机械臂",
           "效应",
           "任何触觉阵列",
@@ -262,7 +271,8 @@ const std::vector<PageWords>& pages() {
           "Weiss 阵列",
           "摄像头",
           "通过 ROS 2 的机械臂",
-          "任意阵列"}},
+          "任意阵列",
+          "带标记的平面凝胶"}},
     };
     return kPages;
 }
@@ -322,6 +332,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, arrayScene, describeFile<scene::ArrayWorld>);
     page.part(3, armScene, describeFile<scene::ArmWorld>);
     page.part(3, cameraScene, describeFile<scene::CameraWorld>);
+    page.part(3, gelScene, describeFile<scene::GelWorld>);
     page.part(3, servoScene, describeFile<scene::ServoWorld>);
     page.part(3, studyScene, describeFile<study::StudyScene>);
     page.head(2, effects);
@@ -350,6 +361,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, cameraSource, sourceOf(app::SourceKind::camera));
     page.part(3, armSource, sourceOf(app::SourceKind::arm));
     page.part(3, taxelsSource, sourceOf(app::SourceKind::taxels));
+    page.part(3, gelSource, sourceOf(app::SourceKind::gel));
     return page.text();
 }
 

@@ -375,6 +375,24 @@ private slots:
         end();
     }
 
+    void aGelIsPlayedWithTheRestThatItHad() {
+        openScene("gel-press");
+        auto* item = m_window->sources().active();
+        QTRY_VERIFY_WITH_TIMEOUT(item->gel()->framesProcessed() > 9, kPatience_ms);
+        const QString path = m_folder.filePath("gel.teleta");
+        station().start(path);
+        waitForFrames(30);
+        end();
+        m_window->sources().closeAll();
+        drop(path);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), kPatience_ms);
+        item = m_window->sources().active();
+        QVERIFY(item->gel()->description().recorded);
+        // From its first picture on, and not after 8 of them.
+        QTRY_COMPARE_WITH_TIMEOUT(item->gel()->snapshot().markers.size(), std::size_t{165}, kPatience_ms);
+        QVERIFY(item->gel()->framesProcessed() < 8);
+    }
+
     void aFullDiskEndsTheRecordingWithAMessageAndTheFileOpens() {
         openScene("tactile-indenter");
         const QString path = m_folder.filePath("full.teleta");

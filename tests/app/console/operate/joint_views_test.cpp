@@ -64,7 +64,8 @@ struct Desk {
         // The other views of the page are not needed here, but their docks are.
         for (const OperateDocks::Dock dock :
              {OperateDocks::heatmap, OperateDocks::charts, OperateDocks::processing, OperateDocks::servo,
-              OperateDocks::runs, OperateDocks::camera, OperateDocks::events, OperateDocks::marks})
+              OperateDocks::runs, OperateDocks::camera, OperateDocks::events, OperateDocks::gel,
+              OperateDocks::gelEvents, OperateDocks::marks})
             docks.add(dock, new QWidget);
         docks.begin();
         docks.setKind(OperateDocks::Kind::joints);

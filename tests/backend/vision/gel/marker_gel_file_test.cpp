@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 namespace teleta::vision {
@@ -106,6 +107,43 @@ TEST(MarkerGelFile, needsAScale) {
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().where.file, "gel.toml");
     EXPECT_FALSE(parseMarkerGel("kind = \"marker_gel\"\ngrid = \"free\"\n", "gel.toml"));
+}
+
+TEST(MarkerGelFile, isReadBackAsItWasWritten) {
+    const std::array<std::string, 3> texts{
+        kWhole,
+        "kind = \"marker_gel\"\nname = \"a \\\"b\\\"\"\nsource = \"0\"\nmarker = \"bright\"\nflip_y = true\n"
+        "grid = \"hexagonal\"\n[plane]\nhomography = [1e-4, 0, 0, 0, 1.25e-4, 0.001, 0, 0, 1]\n",
+        "kind = \"marker_gel\"\ngrid = \"free\"\n[plane]\npitch_mm = 2.0\n[lens]\nfx = 300\nfy = 301.5\n"
+        "cx = 160\ncy = 120\nk1 = -0.1\n"};
+    for (const std::string& text : texts) {
+        const auto first = parseMarkerGel(text, "gel.toml");
+        ASSERT_TRUE(first) << text;
+        const std::string written = markerGelText(*first);
+        const auto second = parseMarkerGel(written, "gel.toml");
+        ASSERT_TRUE(second) << core::describe(second.error()) << '\n' << written;
+        EXPECT_EQ(markerGelText(*second), written);
+        EXPECT_EQ(second->name, first->name);
+        EXPECT_EQ(second->source, first->source);
+        EXPECT_EQ(second->crop, first->crop);
+        EXPECT_EQ(second->flipX, first->flipX);
+        EXPECT_EQ(second->flipY, first->flipY);
+        EXPECT_EQ(second->rate_Hz, first->rate_Hz);
+        EXPECT_EQ(second->channel, first->channel);
+        EXPECT_EQ(second->polarity, first->polarity);
+        EXPECT_EQ(second->diameter_px, first->diameter_px);
+        EXPECT_EQ(second->grid, first->grid);
+        EXPECT_EQ(second->rows, first->rows);
+        EXPECT_EQ(second->columns, first->columns);
+        EXPECT_EQ(second->plane.mmPerPx, first->plane.mmPerPx);
+        EXPECT_EQ(second->plane.homography, first->plane.homography);
+        EXPECT_EQ(second->plane.pitch_mm, first->plane.pitch_mm);
+        ASSERT_EQ(second->lens.has_value(), first->lens.has_value());
+        if (first->lens) {
+            EXPECT_EQ(second->lens->fy_px, first->lens->fy_px);
+            EXPECT_EQ(second->lens->k1, first->lens->k1);
+        }
+    }
 }
 
 } // namespace teleta::vision

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/camera_source.h"
+#include "backend/vision/gel/gel_contacts.h"
+#include "backend/vision/gel/marker_gel.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace teleta::pipeline {
+
+/// What the pipeline knows of a flat gel after its newest picture. Views get it as a constant and own no
+/// truth.
+struct GelSnapshot {
+    core::GreyImage image;    ///< the newest one that was decoded, cropped and flipped
+    std::int64_t time_ns = 0; ///< steady clock at the read
+    double time_s = 0.0;      ///< of the source, rising, from its first frame
+    std::uint64_t frame = 0;
+
+    std::vector<vision::GelMarker> markers;        ///< empty: the rest is not known yet
+    std::vector<vision::GelMotion> motions;        ///< one a marker; of the newest picture
+    std::vector<vision::GelContactState> contacts; ///< of the newest picture
+    double noise_m = 0.0; ///< standard deviation of a marker's place along an axis, on the surface
+    double scale_m = 0.0; ///< size of a pixel on the surface, in the middle of the picture
+
+    std::size_t missing = 0;  ///< pictures to come before the rest can be taken; 0: none is being taken
+    bool usable = false;      ///< the markers were followed into the newest picture
+    std::string problem;      ///< what is wrong; translated; empty when all is well
+    std::int64_t work_ns = 0; ///< from the picture to its contacts
+    double processed_Hz = 0.0;
+    std::uint64_t processed = 0;  ///< pictures
+    std::uint64_t passedOver = 0; ///< pictures that were too old when their turn came
+    std::uint64_t unusable = 0;   ///< pictures in which the markers could not be followed
+
+    [[nodiscard]] bool hasReference() const { return !markers.empty(); }
+};
+
+/// Something that happened to the gel.
+struct GelEvent {
+    enum class Kind { begins, incipientSlip, slip, ends, reference, restart, dark, lightJump, torn };
+    Kind kind = Kind::begins;
+    double time_s = 0.0;
+    int contact = 0; ///< 0: not of a contact; the places below are undefined then
+    Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d shear_m = Eigen::Vector2d::Zero(); ///< shear proxy
+    std::optional<double> slipIndex;
+};
+
+} // namespace teleta::pipeline

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/device/camera_source.h"
+#include "backend/core/error.h"
+#include "backend/recording/recording.h"
+#include "backend/recording/recording_types.h"
+#include "backend/vision/gel/gel_contacts.h"
+#include "backend/vision/gel/marker_gel_file.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace teleta::pipeline {
+
+/// How a flat gel with markers is recorded, and what is needed to follow its markers again. Thread: any
+/// (pure).
+
+inline constexpr std::size_t kGelContactValues = 9;
+
+/// Pictures of a gel, cropped and flipped, with its file. name: of the stream; reference: of that of its
+/// references.
+[[nodiscard]] recording::StreamInfo gelStream(const std::string& name,
+                                              const core::CameraDescription& description,
+                                              const vision::MarkerGelFile& file,
+                                              const std::string& reference);
+/// Contacts that were found, one frame a contact.
+[[nodiscard]] recording::StreamInfo gelContactStream(const std::string& name,
+                                                     const core::CameraDescription& description);
+/// A frame of a stream of contacts; NaN where nothing is known.
+[[nodiscard]] std::array<double, kGelContactValues> gelContactValues(const vision::GelContactState& contact);
+
+/// The pictures of a gel at rest, one below the other, as one picture; empty: they are none, or differ in
+/// size.
+[[nodiscard]] core::GreyImage stackedReference(std::span<const core::GreyImage> pictures);
+/// The pictures in it again; empty: its height is no multiple of theirs, or its width another one.
+[[nodiscard]] std::vector<core::GreyImage> unstackedReference(const core::GreyImage& stack, int width_px,
+                                                              int height_px);
+
+/// A gel of a recording.
+struct RecordedGel {
+    std::size_t stream = 0; ///< number in the recording
+    core::CameraDescription description;
+    vision::MarkerGelFile file;
+    std::optional<std::size_t> referenceStream; ///< empty: the first pictures show the gel at rest
+};
+
+/// Every gel of a recording, in its order; one without a picture and one that is not described are left out.
+/// why: gets the error of the first one that is not described, unless it has one. Error: ioFailed.
+[[nodiscard]] core::Expected<std::vector<RecordedGel>> recordedGels(const recording::Recording& recording,
+                                                                    std::optional<core::Error>& why);
+
+} // namespace teleta::pipeline

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/scene_run/gel/gel_run.h"
+
+#include "backend/core/data/csv_writer.h"
+#include "backend/core/failure.h"
+#include "backend/scene_run/base/run_csv.h"
+#include "backend/scene_run/base/scene_recording.h"
+#include "backend/scene_run/gel/scene_gel.h"
+#include "backend/simulation/camera/gel/gel_stage.h"
+#include "backend/vision/gel/gel_contact_rows.h"
+#include "backend/vision/gel/gel_follower.h"
+#include "backend/vision/gel/marker_rows.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace teleta::scene_run {
+
+namespace {
+
+struct GelRunText {
+    Q_DECLARE_TR_FUNCTIONS(GelRun)
+};
+
+using simulation::GelBallTruth;
+using vision::GelContactState;
+
+constexpr std::uint64_t kPicturesBetweenReports = 8;
+constexpr double kLeastGelDepth_m = 0.0002;
+constexpr double kLeastDrag_m = 0.0001;
+constexpr double kIncipientShare = 0.3;
+constexpr double kSlipShare = 0.8;
+
+/// markers.csv, contacts.csv and truth.csv, or nothing without a folder.
+class GelLog {
+public:
+    [[nodiscard]] static core::Expected<GelLog> open(const std::string& folder) {
+        GelLog log;
+        if (!folder.empty()) {
+            TELETA_TRY(log.m_markers,
+                       core::CsvWriter::create(folder + "/markers.csv", vision::kMarkerColumns));
+            TELETA_TRY(log.m_contacts,
+                       core::CsvWriter::create(folder + "/contacts.csv", vision::kGelContactColumns));
+        }
+        TELETA_TRY(log.m_truth, RunCsv::open(folder, "truth.csv",
+                                             "time_s,object,touches,x_m,y_m,radius_m,drag_x_m,drag_y_m,"
+                                             "turn_rad,slip_share"));
+        return log;
+    }
+
+    void add(std::uint64_t frame, double time_s, const vision::GelFollower& follower,
+             const std::vector<GelBallTruth>& truths) {
+        if (m_markers && follower.hasReference())
+            vision::writeMarkers(*m_markers, static_cast<long long>(frame), time_s, follower.gel().markers(),
+                                 follower.gel().motions());
+        for (const GelContactState& contact : follower.contacts())
+            if (m_contacts)
+                vision::writeGelContact(*m_contacts, static_cast<long long>(frame), time_s, contact);
+        for (const GelBallTruth& truth : truths)
+            m_truth.row(time_s, truth.name, truth.touches ? 1 : 0, truth.centre_m.x(), truth.centre_m.y(),
+                        truth.radius_m, truth.drag_m.x(), truth.drag_m.y(), truth.turn_rad, truth.slipShare);
+    }
+
+    /// A full disk is reported at once, not at the end of a long run.
+    [[nodiscard]] bool failed() const {
+        return (m_markers && m_markers->failed()) || (m_contacts && m_contacts->failed()) || m_truth.failed();
+    }
+
+    [[nodiscard]] core::Expected<void> finish() {
+        if (m_markers)
+            TELETA_CHECK(m_markers->finish());
+        if (m_contacts)
+            TELETA_CHECK(m_contacts->finish());
+        return m_truth.finish();
+    }
+
+private:
+    std::optional<core::CsvWriter> m_markers, m_contacts;
+    RunCsv m_truth;
+};
+
+/// Compares what was found with what is true, picture by picture.
+class GelMeasures {
+public:
+    explicit GelMeasures(const scene::GelWorld& world)
+        : m_world(world) {}
+
+    void add(double time_s, const simulation::GelStage& stage, const vision::GelFollower& follower) {
+        addMarkers(stage, follower.gel());
+        for (std::size_t i = 0; i < stage.truth().size(); ++i)
+            addBall(time_s, stage.truth()[i], m_world.balls[i].radius_m, follower.contacts());
+        for (const GelContactState& contact : follower.contacts()) {
+            if (contact.event == vision::SlipEvent::incipientSlip)
+                m_incipient_s = m_incipient_s.value_or(time_s);
+            if (contact.event == vision::SlipEvent::slip)
+                m_slip_s = m_slip_s.value_or(time_s);
+        }
+    }
+
+    void report(nlohmann::ordered_json& measures) const {
+        measures["marker_error_px"] = jsonNumber(std::sqrt(m_squares_px2 / m_coordinates));
+        measures["markers_lost"] = m_lost;
+        reportContactErrors(m_errors_m, measures);
+        measures["contacts_missed"] = m_missed;
+        measures["shear_direction_error_rad"] = jsonNumber(mean(m_directions_rad));
+        measures["torsion_rad"] = jsonNumber(m_torsion_rad);
+        measures["true_turn_rad"] = m_turn_rad;
+        measures["slip_index_error"] = jsonNumber(mean(m_slipErrors));
+        measures["incipient_slip_s"] = orNull(m_incipient_s);
+        measures["true_incipient_slip_s"] = orNull(m_trueIncipient_s);
+        measures["slip_s"] = orNull(m_slip_s);
+        measures["true_slip_s"] = orNull(m_trueSlip_s);
+    }
+
+private:
+    void addMarkers(const simulation::GelStage& stage, const vision::MarkerGel& gel) {
+        if (m_printed.size() != gel.markers().size()) {
+            m_printed.clear();
+            for (const vision::GelMarker& marker : gel.markers()) {
+                const auto near =
+                    std::ranges::min_element(stage.rest_px(), {}, [&](const Eigen::Vector2d& place) {
+                        return (place - marker.rest_px).squaredNorm();
+                    });
+                m_printed.push_back(static_cast<std::size_t>(near - stage.rest_px().begin()));
+            }
+        }
+        for (std::size_t i = 0; i < m_printed.size(); ++i) {
+            if (!gel.motions()[i].found) {
+                ++m_lost;
+                continue;
+            }
+            m_squares_px2 += (gel.motions()[i].place_px - stage.places_px()[m_printed[i]]).squaredNorm();
+            m_coordinates += 2.0;
+        }
+    }
+
+    void addBall(double time_s, const GelBallTruth& truth, double ballRadius_m,
+                 const std::vector<GelContactState>& contacts) {
+        const double depth_m = truth.radius_m * truth.radius_m / ballRadius_m;
+        if (!truth.touches)
+            return;
+        if (truth.slipShare >= kIncipientShare)
+            m_trueIncipient_s = m_trueIncipient_s.value_or(time_s);
+        if (truth.slipShare >= kSlipShare)
+            m_trueSlip_s = m_trueSlip_s.value_or(time_s);
+        if (depth_m < kLeastGelDepth_m)
+            return;
+        const auto near = std::ranges::min_element(contacts, {}, [&](const GelContactState& contact) {
+            return (contact.centre_m - truth.centre_m).squaredNorm();
+        });
+        if (near == contacts.end()) {
+            ++m_missed;
+            return;
+        }
+        m_errors_m.push_back((near->centre_m - truth.centre_m).norm());
+        if (truth.drag_m.norm() > kLeastDrag_m) {
+            const Eigen::Vector2d& shear_m = near->shearProxy_m;
+            const double off_rad =
+                std::atan2(shear_m.y(), shear_m.x()) - std::atan2(truth.drag_m.y(), truth.drag_m.x());
+            m_directions_rad.push_back(std::abs(std::remainder(off_rad, 2.0 * std::numbers::pi)));
+        }
+        if (std::abs(truth.turn_rad) > std::abs(m_turn_rad)) {
+            m_turn_rad = truth.turn_rad;
+            m_torsion_rad = near->torsion_rad;
+        }
+        if (near->slipIndex)
+            m_slipErrors.push_back(std::abs(*near->slipIndex - truth.slipShare));
+    }
+
+    const scene::GelWorld& m_world;
+    std::vector<std::size_t> m_printed; ///< of each marker, its number in the drawing
+    double m_squares_px2 = 0.0, m_coordinates = 0.0;
+    std::size_t m_lost = 0, m_missed = 0;
+    std::vector<double> m_errors_m, m_directions_rad, m_slipErrors;
+    double m_turn_rad = 0.0;
+    double m_torsion_rad = std::numeric_limits<double>::quiet_NaN();
+    std::optional<double> m_incipient_s, m_slip_s, m_trueIncipient_s, m_trueSlip_s;
+};
+
+void addEvents(double time_s, const std::vector<int>& before, const std::vector<GelContactState>& contacts,
+               nlohmann::ordered_json& events) {
+    const auto add = [&](const char* event, int contact) {
+        events.push_back({{"time_s", time_s}, {"event", event}, {"contact", contact}});
+    };
+    for (const int id : before)
+        if (std::ranges::find(contacts, id, &GelContactState::id) == contacts.end())
+            add("contact_ends", id);
+    for (const GelContactState& contact : contacts) {
+        if (std::ranges::find(before, contact.id) == before.end())
+            add("contact_begins", contact.id);
+        if (contact.event == vision::SlipEvent::incipientSlip)
+            add("incipient_slip", contact.id);
+        if (contact.event == vision::SlipEvent::slip)
+            add("slip", contact.id);
+    }
+}
+
+} // namespace
+
+core::Expected<SceneSummary> runGelScene(const scene::Scene& scene, const RunOptions& options) {
+    TELETA_TRY(const auto stage, simulation::GelStage::make(scene, options.seed));
+    const vision::MarkerGelFile file = gelFile(scene);
+    vision::GelFollower follower(file);
+    TELETA_TRY(GelLog log, GelLog::open(options.outFolder));
+    TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
+    if (recording.isOpen())
+        recording.beginGel(
+            {.name = options.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true, .recorded = false},
+            file);
+    const double duration_s = options.duration_s.value_or(scene.duration_s);
+    const auto pictures = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
+    SceneSummary summary;
+    GelMeasures measures(scene.gel());
+    std::uint64_t done = 0;
+    for (; done < pictures; ++done) {
+        summary.interrupted = options.endsAt(done, kPicturesBetweenReports, stage->time_s(), duration_s);
+        if (summary.interrupted)
+            break;
+        cv::Mat1b picture;
+        stage->next(picture);
+        const double time_s = stage->time_s();
+        const std::size_t references = follower.references();
+        std::vector<int> before;
+        for (const GelContactState& contact : follower.contacts())
+            before.push_back(contact.id);
+        follower.next(picture, time_s);
+        if (recording.isOpen())
+            recording.addPicture(time_s, core::greyImageOf(picture));
+        if (follower.references() != references)
+            recording.addGelReference(follower.reference());
+        if (follower.hasReference()) {
+            addEvents(time_s, before, follower.contacts(), summary.events);
+            measures.add(time_s, *stage, follower);
+            log.add(done, time_s, follower, stage->truth());
+            for (const GelContactState& contact : follower.contacts())
+                recording.addGelContact(time_s, contact);
+        }
+        if (log.failed())
+            break;
+    }
+    for (const core::Expected<void>& written : {log.finish(), recording.finish()})
+        TELETA_CHECK(written);
+    if (!follower.hasReference() && !summary.interrupted)
+        return core::refused(GelRunText::tr("the gel at rest could not be found: %1")
+                                 .arg(QString::fromStdString(follower.problem())));
+    summary.simulated_s = stage->time_s();
+    measures.report(summary.measures);
+    summary.measures["frames"] = done;
+    return summary;
+}
+
+} // namespace teleta::scene_run

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/bracelet/bracelet_service.h"
+#include "app/console/operate/gel_views.h"
+#include "app/console/operate/operate_page.h"
+#include "app/console/sources/source_manager.h"
+#include "tests/app/cli/gel_video.h"
+#include "widgets/camera/gel/gel_event_table.h"
+#include "widgets/camera/gel/gel_panel.h"
+#include "widgets/camera/gel/gel_view.h"
+
+#include <QFile>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+#include <string>
+
+using namespace teleta;
+using console::OperateDocks;
+using console::OperatePage;
+using console::SourceManager;
+
+/// A video of a flat gel from its sensor file to the views of the Operate page.
+class GelViewsTest : public QObject {
+    Q_OBJECT
+
+    static constexpr int kPatience_ms = 60'000;
+
+    QTemporaryDir m_folder;
+    core::StopSwitch m_stop;
+    console::BraceletService m_bracelet{m_stop};
+    std::unique_ptr<SourceManager> m_sources;
+    std::unique_ptr<OperatePage> m_page;
+    std::string m_file;
+
+    template <typename Condition>
+    bool comes(const Condition& condition) {
+        return QTest::qWaitFor(
+            [&] {
+                m_sources->poll();
+                m_page->tick();
+                return condition();
+            },
+            kPatience_ms);
+    }
+    camera::GelPanel& panel() { return m_page->gelViews().panel(); }
+    const pipeline::GelSnapshot& shown() { return panel().view().picture().shown; }
+    long listed(const QString& event) {
+        const camera::GelEventModel& model = m_page->gelViews().events().model();
+        long count = 0;
+        for (int row = 0; row < model.rowCount(); ++row)
+            count += model.index(row, camera::GelEventModel::event).data().toString() == event ? 1 : 0;
+        return count;
+    }
+
+private slots:
+    void initTestCase() {
+        QVERIFY(test::writeGelVideo(m_folder.filePath("press.avi").toStdString(), 30));
+        QFile file(m_folder.filePath("gel.toml"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("source = \"press.avi\"\n");
+        file.write(test::kGelFile);
+        m_file = file.fileName().toStdString();
+    }
+
+    void init() {
+        m_sources = std::make_unique<SourceManager>(m_stop);
+        m_page = std::make_unique<OperatePage>(*m_sources, m_bracelet, m_stop);
+        m_page->resize(1200, 800);
+        m_sources->open(app::GelRequest{m_file});
+        QVERIFY(comes([&] { return m_sources->active() != nullptr && m_sources->active()->isOpen(); }));
+    }
+
+    void cleanup() {
+        m_page.reset();
+        m_sources.reset();
+    }
+
+    void aDragIsSeenAndToldAndTheVideoStartsAgain() {
+        QVERIFY(m_page->docks().kind() == OperateDocks::Kind::gel);
+        QVERIFY(comes([&] { return panel().isEnabled() && shown().hasReference(); }));
+        QVERIFY(panel().view().picture().provenance == base::Provenance::recorded);
+        QVERIFY(comes([&] { return !shown().contacts.empty(); }));
+        QVERIFY(comes([&] { return listed("touched") > 0; }));
+        QCOMPARE(listed("rest taken"), 1L);
+        QVERIFY(comes([&] { return listed("restarted") > 0; }));
+        const auto readings = m_page->readings();
+        QVERIFY(readings.front().displayed > 0);
+        QVERIFY(readings.front().latency_s.has_value());
+    }
+
+    void theButtonTakesTheRestAnew() {
+        QVERIFY(comes([&] { return listed("rest taken") == 1; }));
+        QTest::mouseClick(panel().findChild<QPushButton*>("gelReference"), Qt::LeftButton);
+        QVERIFY(comes([&] { return listed("rest taken") == 2; }));
+    }
+
+    void eventsStayWithTheirSourceAndTheDocksBelongToGels() {
+        QVERIFY(comes([&] { return listed("touched") > 0; }));
+        const auto first = m_sources->active()->key;
+        const auto second = m_sources->open(app::GelRequest{m_file});
+        QVERIFY(comes([&] { return m_sources->active() != nullptr && m_sources->active()->key == second; }));
+        m_sources->activate(first);
+        QVERIFY(comes([&] { return m_sources->active()->key == first; }));
+        QVERIFY(listed("rest taken") >= 1);
+        QVERIFY(OperateDocks::belongs(OperateDocks::Kind::gel, OperateDocks::gel));
+        QVERIFY(!OperateDocks::belongs(OperateDocks::Kind::gel, OperateDocks::camera));
+        QVERIFY(!OperateDocks::belongs(OperateDocks::Kind::camera, OperateDocks::gel));
+        m_sources->closeAll();
+        QVERIFY(comes([&] { return !panel().isEnabled(); }));
+        QVERIFY(panel().view().picture().isEmpty());
+    }
+};
+
+QTEST_MAIN(GelViewsTest)
+#include "gel_views_test.moc"

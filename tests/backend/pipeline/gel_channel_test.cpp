@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/device/camera_frame_queue.h"
+#include "backend/core/steady_time.h"
+#include "backend/pipeline/gel_channel.h"
+#include "backend/pipeline/recorded/recorded_gel.h"
+#include "backend/recording/event_words.h"
+#include "backend/recording/recorder.h"
+#include "backend/simulation/camera/gel/gel_field.h"
+#include "backend/simulation/camera/gel/gel_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+using namespace teleta;
+using namespace std::chrono_literals;
+using pipeline::GelChannel;
+using pipeline::GelEvent;
+using simulation::GelContact;
+
+namespace {
+
+constexpr int kRest = static_cast<int>(vision::MarkerGel::kReferencePictures);
+
+/// A camera whose pictures come when the test says so.
+class ScriptedCamera : public core::CameraSource {
+public:
+    [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
+    void start(core::Wakeup& consumer) override { m_consumer = &consumer; }
+    void stop() override {}
+    bool pop(core::CameraFrame& frame) override { return m_frames.pop(frame); }
+    [[nodiscard]] core::DeviceStatus status() const override {
+        core::DeviceStatus status;
+        status.state = m_state;
+        return status;
+    }
+
+    void push(core::CameraFrame frame) {
+        frame.number = m_number++;
+        m_frames.push(std::move(frame));
+        m_consumer->notify();
+    }
+    void setState(core::DeviceState state) { m_state = state; }
+
+private:
+    core::CameraDescription m_description{
+        .name = "/dev/video7", .nominalRate_Hz = 25.0, .simulated = true, .recorded = false};
+    core::CameraFrameQueue m_frames{8};
+    core::Wakeup* m_consumer = nullptr;
+    std::uint64_t m_number = 0;
+    std::atomic<core::DeviceState> m_state{core::DeviceState::live};
+};
+
+vision::MarkerGelFile gelFile() {
+    vision::MarkerGelFile file;
+    file.name = "left finger";
+    file.grid = vision::MarkerGrid::rectangular;
+    file.rows = 8;
+    file.columns = 10;
+    file.plane.mmPerPx = 0.1;
+    return file;
+}
+
+/// Takes what a channel records.
+class Sink : public recording::StreamSink {
+public:
+    std::shared_ptr<core::StreamTap> addStream(recording::StreamInfo info) override {
+        infos.push_back(std::move(info));
+        taps.push_back(std::make_shared<core::StreamTap>(1024));
+        return taps.back();
+    }
+    void add(recording::RecordingEvent event) override { events.push_back(std::move(event)); }
+    /// All frames of a stream.
+    [[nodiscard]] std::vector<core::TappedFrames> frames(std::size_t stream) const {
+        std::vector<core::TappedFrames> all;
+        core::TappedFrames frame;
+        while (taps[stream]->pop(frame))
+            all.push_back(std::move(frame));
+        return all;
+    }
+
+    std::vector<recording::StreamInfo> infos;
+    std::vector<std::shared_ptr<core::StreamTap>> taps;
+    std::vector<recording::RecordingEvent> events;
+};
+
+class LiveGel : public testing::Test {
+protected:
+    void SetUp() override { open(gelFile()); }
+    void open(const vision::MarkerGelFile& file) {
+        auto source = std::make_unique<ScriptedCamera>();
+        m_camera = source.get();
+        m_channel = std::make_shared<GelChannel>(std::move(source), file, m_rest);
+        m_channel->start();
+    }
+    [[nodiscard]] core::GreyImage drawn(const std::optional<GelContact>& contact) {
+        std::vector<Eigen::Vector2d> places = m_renderer.rest_px();
+        for (Eigen::Vector2d& place : places)
+            place += contact ? contact->displacement_m(place) : Eigen::Vector2d(Eigen::Vector2d::Zero());
+        cv::Mat1b picture;
+        m_renderer.draw(places, picture);
+        return core::greyImageOf(picture.clone());
+    }
+    /// One picture after the other, each after the one before was worked on.
+    void show(const std::optional<GelContact>& contact = {}, int pictures = 1) {
+        for (int i = 0; i < pictures; ++i)
+            give(drawn(contact));
+    }
+    void give(core::GreyImage image, bool discontinuity = false) {
+        const std::uint64_t before = m_channel->framesProcessed();
+        m_camera->push({.image = std::move(image),
+                        .time_ns = core::steadyNow_ns(),
+                        .capture_s = m_capture_s += 0.04,
+                        .discontinuity = discontinuity});
+        // The count goes up before the snapshot is there.
+        for (int i = 0; i < 20'000 && snapshot().processed <= before; ++i) {
+            std::this_thread::sleep_for(1ms);
+            m_channel->update();
+        }
+        ASSERT_EQ(snapshot().processed, before + 1);
+        GelEvent event;
+        while (m_channel->popEvent(event))
+            m_events.push_back(event);
+    }
+    [[nodiscard]] const pipeline::GelSnapshot& snapshot() const { return m_channel->snapshot(); }
+    [[nodiscard]] long eventsOf(GelEvent::Kind kind) const {
+        return std::ranges::count(m_events, kind, &GelEvent::kind);
+    }
+
+    simulation::GelRenderer m_renderer{simulation::SimulatedGel{}};
+    ScriptedCamera* m_camera = nullptr;
+    std::shared_ptr<GelChannel> m_channel;
+    std::vector<GelEvent> m_events;
+    double m_capture_s = 0.0;
+    core::GreyImage m_rest; ///< with which the channel begins
+};
+
+const GelContact kDragged{
+    .centre_m = {160.0, 120.0}, .radius_m = 70.0, .slip_m = {8.0, 0.0}, .stick = 0.70710678};
+
+} // namespace
+
+TEST_F(LiveGel, takesItsRestThenTellsTheContactsThatBeginAndEnd) {
+    show();
+    EXPECT_FALSE(snapshot().hasReference());
+    EXPECT_EQ(snapshot().missing, vision::MarkerGel::kReferencePictures - 1);
+    EXPECT_EQ(snapshot().image.width_px, 320);
+    show({}, kRest - 1);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::reference), 1);
+    ASSERT_EQ(snapshot().markers.size(), 80U);
+    EXPECT_EQ(snapshot().motions.size(), 80U);
+    EXPECT_NEAR(snapshot().scale_m, 1e-4, 1e-9);
+    show(kDragged);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::begins), 1);
+    EXPECT_TRUE(snapshot().usable);
+    EXPECT_GE(snapshot().contacts.front().outline_px.size(), 3U);
+    show();
+    EXPECT_EQ(eventsOf(GelEvent::Kind::ends), 1);
+    EXPECT_EQ(m_channel->summary().name, "left finger");
+    EXPECT_TRUE(m_channel->summary().simulated);
+}
+
+/// A ball is pressed, then dragged until all of it slips.
+TEST_F(LiveGel, tellsIncipientSlipBeforeSlip) {
+    show({}, kRest);
+    GelContact ball{.centre_m = {160.0, 120.0}, .radius_m = 80.0};
+    for (int i = 1; i <= 10; ++i) {
+        ball.spread_m = 0.6 * i;
+        show(ball);
+    }
+    EXPECT_EQ(eventsOf(GelEvent::Kind::slip), 0);
+    ball.slip_m = {12.0, 0.0};
+    for (int i = 1; i <= 55; ++i) {
+        ball.stick = std::sqrt(1.0 - std::min(1.0, 0.02 * i));
+        show(ball);
+    }
+    ASSERT_EQ(eventsOf(GelEvent::Kind::incipientSlip), 1);
+    ASSERT_EQ(eventsOf(GelEvent::Kind::slip), 1);
+    const auto incipient = std::ranges::find(m_events, GelEvent::Kind::incipientSlip, &GelEvent::kind);
+    const auto slip = std::ranges::find(m_events, GelEvent::Kind::slip, &GelEvent::kind);
+    EXPECT_LT(incipient->time_s, slip->time_s);
+    EXPECT_GT(slip->slipIndex.value_or(0.0), incipient->slipIndex.value_or(1.0));
+    EXPECT_EQ(slip->contact, incipient->contact);
+}
+
+TEST_F(LiveGel, aPersonRenewsTheRest) {
+    show({}, kRest);
+    show(kDragged);
+    m_channel->renewReference();
+    show(kDragged, kRest);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::reference), 2);
+    EXPECT_TRUE(snapshot().contacts.empty());
+}
+
+TEST_F(LiveGel, tellsACoveredCameraAJumpOfLightAndATornGel) {
+    show({}, kRest);
+    give(core::greyImageOf(cv::Mat1b(240, 320, std::uint8_t{0})));
+    give(core::greyImageOf(cv::Mat1b(240, 320, std::uint8_t{0})));
+    EXPECT_EQ(eventsOf(GelEvent::Kind::dark), 1);
+    EXPECT_FALSE(snapshot().usable);
+    EXPECT_EQ(snapshot().unusable, 2U);
+    EXPECT_FALSE(snapshot().problem.empty());
+    show({}, 30);
+    EXPECT_TRUE(snapshot().usable);
+    const long jumps = eventsOf(GelEvent::Kind::lightJump);
+    m_renderer.setLight(1.5);
+    show();
+    EXPECT_EQ(eventsOf(GelEvent::Kind::lightJump), jumps + 1);
+    EXPECT_FALSE(snapshot().problem.empty());
+    m_renderer.setLight(1.0);
+    show({}, 2);
+    cv::Mat1b torn;
+    m_renderer.draw(m_renderer.rest_px(), torn);
+    torn.colRange(0, 150).setTo(130);
+    for (int i = 0; i < 30; ++i)
+        give(core::greyImageOf(torn.clone()));
+    EXPECT_EQ(eventsOf(GelEvent::Kind::torn), 1);
+    give({});
+    EXPECT_FALSE(snapshot().usable);
+}
+
+TEST_F(LiveGel, afterACutContactsAreNewAndTheRestHolds) {
+    show({}, kRest);
+    show(kDragged);
+    const double before_s = snapshot().time_s;
+    m_capture_s = 0.0; // a camera that was connected again counts anew
+    give(drawn(kDragged), true);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::restart), 1);
+    EXPECT_GT(snapshot().time_s, before_s);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    EXPECT_EQ(snapshot().contacts.front().id, 2);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::reference), 1);
+}
+
+TEST_F(LiveGel, aPictureThatHasWaitedTooLongIsPassedOverAndCounted) {
+    show({}, kRest);
+    const auto push = [&](double age_s) {
+        m_camera->push({.image = drawn({}),
+                        .time_ns = core::steadyNow_ns() - static_cast<std::int64_t>(age_s * 1e9),
+                        .capture_s = m_capture_s += 0.04});
+    };
+    push(3.0);
+    push(2.0);
+    push(1.0);
+    for (int i = 0; i < 20'000 && snapshot().frame < kRest + 2U; ++i) {
+        std::this_thread::sleep_for(1ms);
+        m_channel->update();
+    }
+    // The newest one is shown, however old it is. When it comes while an older one is worked on, that one is
+    // the newest then.
+    EXPECT_EQ(snapshot().frame, kRest + 2U);
+    EXPECT_EQ(snapshot().processed + snapshot().passedOver, kRest + 3U);
+}
+
+TEST_F(LiveGel, showsOnlyThePartThatTheFileNames) {
+    vision::MarkerGelFile file = gelFile();
+    file.grid = vision::MarkerGrid::free;
+    file.crop = {160.0, 0.0, 160.0, 240.0};
+    file.flipX = true;
+    m_channel->stop();
+    open(file);
+    show({}, kRest);
+    EXPECT_EQ(snapshot().image.width_px, 160);
+    EXPECT_EQ(snapshot().image.height_px, 240);
+    EXPECT_EQ(snapshot().markers.size(), 40U);
+    // The camera is exchanged for a smaller one.
+    give(core::greyImageOf(cv::Mat1b(100, 100, std::uint8_t{50})));
+    EXPECT_FALSE(snapshot().usable);
+    EXPECT_NE(snapshot().problem.find("100 x 100"), std::string::npos) << snapshot().problem;
+}
+
+TEST_F(LiveGel, recordsPicturesRestContactsAndEvents) {
+    show({}, kRest);
+    const auto sink = std::make_shared<Sink>();
+    m_channel->watch(pipeline::Watcher::plot, sink, "finger");
+    show();
+    show(kDragged, 2);
+    show();
+    ASSERT_EQ(sink->infos.size(), 3U);
+    EXPECT_EQ(sink->infos[0].name, "finger-reference");
+    EXPECT_EQ(sink->infos[1].name, "finger-camera");
+    EXPECT_EQ(sink->infos[2].name, "finger-contacts");
+    EXPECT_EQ(sink->infos[1].source, "left finger");
+    const auto references = sink->frames(0);
+    ASSERT_EQ(references.size(), 1U);
+    EXPECT_EQ(references[0].image.height_px, 240 * kRest);
+    const auto pictures = pipeline::unstackedReference(references[0].image, 320, 240);
+    EXPECT_EQ(pictures.size(), static_cast<std::size_t>(kRest));
+    EXPECT_TRUE(pipeline::unstackedReference(references[0].image, 320, 241).empty());
+    EXPECT_EQ(sink->frames(1).size(), 4U);
+    const auto contacts = sink->frames(2);
+    ASSERT_EQ(contacts.size(), 2U);
+    EXPECT_EQ(contacts[0].values.size(), pipeline::kGelContactValues * sizeof(double));
+    ASSERT_EQ(sink->events.size(), 2U);
+    EXPECT_EQ(sink->events[0].kind, recording::kContactBegins);
+    EXPECT_EQ(sink->events[1].kind, recording::kContactEnds);
+    EXPECT_EQ(sink->events[1].value, 1.0);
+}
+
+TEST_F(LiveGel, beginsWithTheRestThatARecordingHas) {
+    const std::vector<core::GreyImage> quiet{drawn({}), drawn({}), drawn({})};
+    m_rest = pipeline::stackedReference(quiet);
+    m_channel->stop();
+    open(gelFile());
+    show(kDragged);
+    EXPECT_TRUE(snapshot().hasReference());
+    EXPECT_EQ(eventsOf(GelEvent::Kind::reference), 1);
+    EXPECT_EQ(snapshot().contacts.size(), 1U);
+    // Another one comes with a picture of the recording.
+    const std::vector<core::GreyImage> moved{drawn(kDragged), drawn(kDragged)};
+    const std::uint64_t before = m_channel->framesProcessed();
+    m_camera->push({.image = drawn(kDragged),
+                    .time_ns = core::steadyNow_ns(),
+                    .capture_s = m_capture_s += 0.04,
+                    .reference = pipeline::stackedReference(moved)});
+    for (int i = 0; i < 20'000 && snapshot().processed <= before; ++i) {
+        std::this_thread::sleep_for(1ms);
+        m_channel->update();
+    }
+    EXPECT_TRUE(snapshot().contacts.empty());
+}
+
+TEST_F(LiveGel, tellsARestThatShowsNoGelAndTakesTheFirstPictures) {
+    m_rest = core::greyImageOf(cv::Mat1b(240, 320, std::uint8_t{0}));
+    m_channel->stop();
+    open(gelFile());
+    show();
+    EXPECT_NE(snapshot().problem.find("black"), std::string::npos) << snapshot().problem;
+    show({}, kRest - 1);
+    EXPECT_TRUE(snapshot().hasReference());
+    EXPECT_TRUE(snapshot().problem.empty()) << snapshot().problem;
+}
+
+TEST(RecordedGel, unstacksOnlyWhatWasStacked) {
+    EXPECT_TRUE(pipeline::stackedReference({}).isEmpty());
+    const std::vector<core::GreyImage> unlike{core::greyImageOf(cv::Mat1b(2, 3, std::uint8_t{1})),
+                                              core::greyImageOf(cv::Mat1b(3, 3, std::uint8_t{1}))};
+    EXPECT_TRUE(pipeline::stackedReference(unlike).isEmpty());
+    const std::vector<core::GreyImage> alike{core::greyImageOf(cv::Mat1b(2, 3, std::uint8_t{1})),
+                                             core::greyImageOf(cv::Mat1b(2, 3, std::uint8_t{9}))};
+    const auto again = pipeline::unstackedReference(pipeline::stackedReference(alike), 3, 2);
+    ASSERT_EQ(again.size(), 2U);
+    EXPECT_EQ(again[1].pixels.get()[5], 9);
+    EXPECT_TRUE(pipeline::unstackedReference(pipeline::stackedReference(alike), 2, 3).empty());
+    EXPECT_TRUE(pipeline::unstackedReference({}, 3, 2).empty());
+}
