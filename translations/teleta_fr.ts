@@ -3454,6 +3454,38 @@ Exemples&#xa0;:
         <source>A stiffness as a vibration pattern: play it, or edit a copy</source>
         <translation>Une raideur comme motif de vibration&#xa0;: jouez-le, ou modifiez-en une copie</translation>
     </message>
+    <message>
+        <source>Balls press a flat gel</source>
+        <translation>Des billes pressent un gel plat</translation>
+    </message>
+    <message>
+        <source>Markers on the skin of a flat gel move apart under two balls</source>
+        <translation>Les marqueurs de la peau d’un gel plat s’écartent sous deux billes</translation>
+    </message>
+    <message>
+        <source>A ball shears a flat gel</source>
+        <translation>Une bille cisaille un gel plat</translation>
+    </message>
+    <message>
+        <source>It is dragged to and fro and sticks but for a narrow rim</source>
+        <translation>Elle est traînée en va-et-vient et adhère, sauf un bord étroit</translation>
+    </message>
+    <message>
+        <source>A ball slips on a flat gel</source>
+        <translation>Une bille glisse sur un gel plat</translation>
+    </message>
+    <message>
+        <source>A ring of slip grows from the rim of the contact to its middle</source>
+        <translation>Un anneau de glissement s’étend du bord du contact vers son centre</translation>
+    </message>
+    <message>
+        <source>A ball twists a flat gel</source>
+        <translation>Une bille tord un gel plat</translation>
+    </message>
+    <message>
+        <source>It is turned about the normal, and the skin turns with it</source>
+        <translation>Elle tourne autour de la normale, et la peau tourne avec elle</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3584,8 +3616,20 @@ Exemples&#xa0;:
         <translation>D’une matrice décrite&#xa0;: montrer au plus ce nombre des octets qu’elle envoie jusqu’à une seconde après sa première trame</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
-        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; ou &quot;sound_bracelet&quot;</translation>
+        <source>the sensor file names no camera and no video</source>
+        <translation>le fichier du capteur n’indique ni caméra ni vidéo</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>une clé «&#xa0;source&#xa0;»</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; or &quot;marker_gel&quot;</source>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; ou &quot;marker_gel&quot;</translation>
+    </message>
+    <message>
+        <source>Flat gel with markers</source>
+        <translation>Gel plat à marqueurs</translation>
     </message>
 </context>
 <context>
@@ -4665,6 +4709,80 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>GelFollower</name>
+    <message>
+        <source>The picture could not be decoded.</source>
+        <translation>L’image n’a pas pu être décodée.</translation>
+    </message>
+    <message>
+        <source>The gel at rest cannot be taken: %1</source>
+        <translation>Le gel au repos ne peut pas être pris&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast: is the camera covered?</source>
+        <translation>L’image n’a pas de contraste&#xa0;: la caméra est-elle couverte&#xa0;?</translation>
+    </message>
+    <message>
+        <source>More than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>Plus de 30&#xa0;% des marqueurs sont perdus depuis 1&#xa0;s&#xa0;: le gel est-il déchiré&#xa0;?</translation>
+    </message>
+    <message>
+        <source>The light has jumped.</source>
+        <translation>La lumière a changé brusquement.</translation>
+    </message>
+</context>
+<context>
+    <name>GelPicture</name>
+    <message>
+        <source>slip %1</source>
+        <translation>glissement %1</translation>
+    </message>
+    <message>
+        <source>slip unknown</source>
+        <translation>glissement inconnu</translation>
+    </message>
+    <message>
+        <source>Contact %1</source>
+        <translation>Contact %1</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>en %1, %2</translation>
+    </message>
+    <message>
+        <source>area %1 mm²</source>
+        <translation>aire %1 mm²</translation>
+    </message>
+    <message>
+        <source>shear %1 at %2°</source>
+        <translation>cisaillement %1 à %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>tourné de %1°</translation>
+    </message>
+    <message>
+        <source>slip index %1</source>
+        <translation>indice de glissement %1</translation>
+    </message>
+    <message>
+        <source>too few markers for a slip index</source>
+        <translation>trop peu de marqueurs pour un indice de glissement</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>Pas encore d’image</translation>
+    </message>
+    <message>
+        <source>%1 mm (enlarged %2 times)</source>
+        <translation>%1 mm (agrandi %2 fois)</translation>
+    </message>
+    <message>
+        <source>PAUSED</source>
+        <translation>EN PAUSE</translation>
+    </message>
+</context>
+<context>
     <name>GelPlane</name>
     <message>
         <source>The lens in the file folds within the picture.</source>
@@ -4681,6 +4799,13 @@ Exemples&#xa0;:
     <message>
         <source>a matrix that maps the picture onto a plane</source>
         <translation>une matrice qui projette l’image sur un plan</translation>
+    </message>
+</context>
+<context>
+    <name>GelRun</name>
+    <message>
+        <source>the gel at rest could not be found: %1</source>
+        <translation>le gel au repos n’a pas été trouvé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -5742,10 +5867,6 @@ Exemples&#xa0;:
 <context>
     <name>MarkersCommand</name>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
-        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images</translation>
-    </message>
-    <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>Fichier du capteur, de kind «&#xa0;marker_gel&#xa0;»</translation>
     </message>
@@ -5856,6 +5977,14 @@ Exemples&#xa0;:
     <message>
         <source>, slip at %1 s</source>
         <translation>, glissement à %1 s</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images. Par défaut&#xa0;: la source que le fichier du capteur indique</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>aucune vidéo n’est donnée et le fichier du capteur n’indique pas de source</translation>
     </message>
 </context>
 <context>
@@ -9375,6 +9504,10 @@ Run %2 --help for more.
         <source>the scene is not that of an arm with an operator</source>
         <translation>la scène n’est pas celle d’un bras avec un opérateur</translation>
     </message>
+    <message>
+        <source>the scene is not that of a flat gel</source>
+        <translation>la scène n’est pas celle d’un gel plat</translation>
+    </message>
 </context>
 <context>
     <name>SceneReader</name>
@@ -9465,6 +9598,22 @@ Run %2 --help for more.
     <message>
         <source>this scene cannot have the effect &quot;%1&quot;</source>
         <translation>cette scène ne peut pas avoir l’effet « %1 »</translation>
+    </message>
+    <message>
+        <source>the markers touch each other</source>
+        <translation>les marqueurs se touchent</translation>
+    </message>
+    <message>
+        <source>the markers do not fit into the picture</source>
+        <translation>les marqueurs ne tiennent pas dans l’image</translation>
+    </message>
+    <message>
+        <source>a grid smaller than %1 m x %2 m</source>
+        <translation>une grille plus petite que %1 m x %2 m</translation>
+    </message>
+    <message>
+        <source>this is deeper than the ball is round</source>
+        <translation>c’est plus profond que le rayon de la bille</translation>
     </message>
 </context>
 <context>
@@ -10448,6 +10597,17 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>at least %1 ms</source>
         <translation>au moins %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>SourceRequest</name>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>le fichier du capteur n’indique ni caméra ni vidéo</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>une clé «&#xa0;source&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -16491,6 +16651,17 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::camera::EventList</name>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::EventModel</name>
     <message>
         <source>touched</source>
@@ -16548,16 +16719,185 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>événements-caméra</translation>
     </message>
     <message>
-        <source>&amp;Clear the list</source>
-        <translation>&amp;Vider la liste</translation>
-    </message>
-    <message>
-        <source>Events</source>
-        <translation>Événements</translation>
-    </message>
-    <message>
         <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
         <translation>Ce qui est arrivé au tube, le plus récent en premier. Le menu contextuel copie et enregistre la liste.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventModel</name>
+    <message>
+        <source>touched</source>
+        <translation>touché</translation>
+    </message>
+    <message>
+        <source>incipient slip</source>
+        <translation>début de glissement</translation>
+    </message>
+    <message>
+        <source>SLIP</source>
+        <translation>GLISSEMENT</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>lâché</translation>
+    </message>
+    <message>
+        <source>rest taken</source>
+        <translation>repos pris</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>recommence</translation>
+    </message>
+    <message>
+        <source>picture is dark</source>
+        <translation>image sombre</translation>
+    </message>
+    <message>
+        <source>light jumped</source>
+        <translation>saut de lumière</translation>
+    </message>
+    <message>
+        <source>gel torn?</source>
+        <translation>gel déchiré&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Cisaillement</translation>
+    </message>
+    <message>
+        <source>Slip index</source>
+        <translation>Indice de glissement</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventTable</name>
+    <message>
+        <source>gel-events</source>
+        <translation>gel-evenements</translation>
+    </message>
+    <message>
+        <source>What happened to the gel, newest first. Shear is the mean displacement of the contact&apos;s markers less that of the others. The context menu copies and saves the list.</source>
+        <translation>Ce qui est arrivé au gel, le plus récent en premier. Le cisaillement est le déplacement moyen des marqueurs du contact, moins celui des autres. Le menu contextuel copie et enregistre la liste.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelPanel</name>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 of %2 markers</source>
+        <translation>%1 marqueurs sur %2</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>%1 ms par image, %2 images/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n sautée</numerusform>
+            <numerusform>%n sautées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unusable</source>
+        <translation>
+            <numerusform>%n inutilisable</numerusform>
+            <numerusform>%n inutilisables</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking the gel at rest: nothing may touch it (%n more picture(s)).</source>
+        <translation>
+            <numerusform>Prise du gel au repos&#xa0;: rien ne doit le toucher (encore %n image).</numerusform>
+            <numerusform>Prise du gel au repos&#xa0;: rien ne doit le toucher (encore %n images).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Displacement</source>
+        <translation>Dé&amp;placement</translation>
+    </message>
+    <message>
+        <source>Show how far each marker has moved from its place at rest</source>
+        <translation>Montrer de combien chaque marqueur s’est éloigné de sa position de repos</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarged</source>
+        <translation>&amp;Agrandi</translation>
+    </message>
+    <message>
+        <source>Enlargement of the arrows</source>
+        <translation>Agrandissement des flèches</translation>
+    </message>
+    <message>
+        <source>How many times longer than the displacement the arrows are</source>
+        <translation>Combien de fois les flèches sont plus longues que le déplacement</translation>
+    </message>
+    <message>
+        <source>New &amp;rest</source>
+        <translation>Nouveau &amp;repos</translation>
+    </message>
+    <message>
+        <source>Take the next pictures as the gel at rest: nothing may touch it</source>
+        <translation>Prendre les images suivantes comme gel au repos&#xa0;: rien ne doit le toucher</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; markers are still followed (Space)</source>
+        <translation>Figer l’image&#xa0;; les marqueurs sont toujours suivis (Espace)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelView</name>
+    <message>
+        <source>gel</source>
+        <translation>gel</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Reprendre</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the picture</source>
+        <translation>Mettre l’image en &amp;pause</translation>
+    </message>
+    <message>
+        <source>Take the gel at &amp;rest anew</source>
+        <translation>Prendre à nouveau le gel au &amp;repos</translation>
+    </message>
+    <message>
+        <source>Picture of the gel</source>
+        <translation>Image du gel</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the camera sees of the gel. Arrows show, enlarged, how far each marker has moved from its place at rest; a cross is a marker that is lost. Outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;The slip index is the share of the contact&apos;s markers that do not move with it: green while it sticks, amber when a part of it slips, red when all of it does.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ce que la caméra voit du gel. Les flèches montrent, agrandi, de combien chaque marqueur s’est éloigné de sa position de repos&#xa0;; une croix est un marqueur perdu. Les contours sont des contacts, chacun dans la couleur de son numéro.&lt;/p&gt;&lt;p&gt;L’indice de glissement est la part des marqueurs du contact qui ne bougent pas avec lui&#xa0;: vert tant qu’il adhère, ambre quand une partie glisse, rouge quand tout glisse.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -18227,6 +18567,50 @@ Lancez teleta-site --help pour en savoir plus.
         <source>What to &amp;play:</source>
         <translation>&amp;Jouer d’un contact&#xa0;:</translation>
     </message>
+    <message>
+        <source>Save the times of touches</source>
+        <translation>Enregistrer les temps des touchers</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>Read: %1</source>
+        <translation>Lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>by the clock of the site, known to ± %1</source>
+        <translation>à l’horloge du site, connue à ± %1 près</translation>
+    </message>
+    <message>
+        <source>by the clock of this computer</source>
+        <translation>à l’horloge de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Evaluated: %1 later</source>
+        <translation>Évalué&#xa0;: %1 plus tard</translation>
+    </message>
+    <message>
+        <source>First frame to the bracelet: %1 later</source>
+        <translation>Première trame vers le bracelet&#xa0;: %1 plus tard</translation>
+    </message>
+    <message>
+        <source>First frame that is felt: %1 later</source>
+        <translation>Première trame sentie&#xa0;: %1 plus tard</translation>
+    </message>
+    <message>
+        <source>Each is known to ± %1, since two clocks are compared.</source>
+        <translation>Chacun est connu à ± %1 près, car deux horloges sont comparées.</translation>
+    </message>
+    <message>
+        <source>Save times…</source>
+        <translation>Enregistrer les temps…</translation>
+    </message>
+    <message>
+        <source>Save when each touch was read, evaluated, sent and felt, as a table (CSV)</source>
+        <translation>Enregistrer quand chaque toucher a été lu, évalué, envoyé et senti, dans un tableau (CSV)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FrameDialog</name>
@@ -19577,6 +19961,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Run sheet</source>
         <translation>Relevé des objets</translation>
+    </message>
+    <message>
+        <source>Gel</source>
+        <translation>Gel</translation>
     </message>
 </context>
 <context>

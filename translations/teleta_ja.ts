@@ -3448,6 +3448,38 @@ Examples:
         <source>A stiffness as a vibration pattern: play it, or edit a copy</source>
         <translation>剛性を表す振動パターン。再生するか、コピーを編集します</translation>
     </message>
+    <message>
+        <source>Balls press a flat gel</source>
+        <translation>球が平らなゲルを押す</translation>
+    </message>
+    <message>
+        <source>Markers on the skin of a flat gel move apart under two balls</source>
+        <translation>平らなゲルの皮膚のマーカーが、2つの球の下で広がる</translation>
+    </message>
+    <message>
+        <source>A ball shears a flat gel</source>
+        <translation>球が平らなゲルをせん断する</translation>
+    </message>
+    <message>
+        <source>It is dragged to and fro and sticks but for a narrow rim</source>
+        <translation>往復して引かれ、狭い縁を除いて固着する</translation>
+    </message>
+    <message>
+        <source>A ball slips on a flat gel</source>
+        <translation>球が平らなゲルの上で滑る</translation>
+    </message>
+    <message>
+        <source>A ring of slip grows from the rim of the contact to its middle</source>
+        <translation>滑りの輪が接触の縁から中心へ広がる</translation>
+    </message>
+    <message>
+        <source>A ball twists a flat gel</source>
+        <translation>球が平らなゲルをねじる</translation>
+    </message>
+    <message>
+        <source>It is turned about the normal, and the skin turns with it</source>
+        <translation>法線まわりに回され、皮膚も一緒に回る</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3577,8 +3609,20 @@ Examples:
         <translation>記述されたアレイについて、最初のフレームの1秒後までに送られたバイトを最大この数だけ表示</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;のいずれか</translation>
+        <source>the sensor file names no camera and no video</source>
+        <translation>センサーファイルにカメラも動画も書かれていません</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>キー「source」</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; or &quot;marker_gel&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;</translation>
+    </message>
+    <message>
+        <source>Flat gel with markers</source>
+        <translation>マーカー付きの平らなゲル</translation>
     </message>
 </context>
 <context>
@@ -4652,6 +4696,80 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelFollower</name>
+    <message>
+        <source>The picture could not be decoded.</source>
+        <translation>画像を復号できませんでした。</translation>
+    </message>
+    <message>
+        <source>The gel at rest cannot be taken: %1</source>
+        <translation>静止状態のゲルを取れません：%1</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast: is the camera covered?</source>
+        <translation>画像にコントラストがありません。カメラが覆われていませんか？</translation>
+    </message>
+    <message>
+        <source>More than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>マーカーの30 %以上を1秒間見失っています。ゲルが破れていませんか？</translation>
+    </message>
+    <message>
+        <source>The light has jumped.</source>
+        <translation>明るさが急に変わりました。</translation>
+    </message>
+</context>
+<context>
+    <name>GelPicture</name>
+    <message>
+        <source>slip %1</source>
+        <translation>滑り %1</translation>
+    </message>
+    <message>
+        <source>slip unknown</source>
+        <translation>滑り不明</translation>
+    </message>
+    <message>
+        <source>Contact %1</source>
+        <translation>接触 %1</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>位置 %1、%2</translation>
+    </message>
+    <message>
+        <source>area %1 mm²</source>
+        <translation>面積 %1 mm²</translation>
+    </message>
+    <message>
+        <source>shear %1 at %2°</source>
+        <translation>せん断 %1、方向 %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>回転 %1°</translation>
+    </message>
+    <message>
+        <source>slip index %1</source>
+        <translation>滑り指数 %1</translation>
+    </message>
+    <message>
+        <source>too few markers for a slip index</source>
+        <translation>マーカーが少なすぎて滑り指数を求められません</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>画像はまだありません</translation>
+    </message>
+    <message>
+        <source>%1 mm (enlarged %2 times)</source>
+        <translation>%1 mm（%2倍に拡大）</translation>
+    </message>
+    <message>
+        <source>PAUSED</source>
+        <translation>一時停止中</translation>
+    </message>
+</context>
+<context>
     <name>GelPlane</name>
     <message>
         <source>The lens in the file folds within the picture.</source>
@@ -4668,6 +4786,13 @@ Examples:
     <message>
         <source>a matrix that maps the picture onto a plane</source>
         <translation>画像を平面に写す行列</translation>
+    </message>
+</context>
+<context>
+    <name>GelRun</name>
+    <message>
+        <source>the gel at rest could not be found: %1</source>
+        <translation>静止状態のゲルが見つかりませんでした：%1</translation>
     </message>
 </context>
 <context>
@@ -5724,10 +5849,6 @@ Examples:
 <context>
     <name>MarkersCommand</name>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
-        <translation>動画、番号付き画像のパターン (frame_%04d.png)、またはカメラの番号。最初の数フレームでは何もゲルに触れません</translation>
-    </message>
-    <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>kind が「marker_gel」のセンサーのファイル</translation>
     </message>
@@ -5838,6 +5959,14 @@ Examples:
     <message>
         <source>, slip at %1 s</source>
         <translation>、%1 sで滑り</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>動画、番号付き画像のパターン（frame_%04d.png）、またはカメラの番号。最初のフレームでは何もゲルに触れないこと。既定：センサーファイルに書かれた source</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>動画が指定されておらず、センサーファイルにも source がありません</translation>
     </message>
 </context>
 <context>
@@ -9350,6 +9479,10 @@ Run %2 --help for more.
         <source>the scene is not that of an arm with an operator</source>
         <translation>操作者付きアームのシーンではありません</translation>
     </message>
+    <message>
+        <source>the scene is not that of a flat gel</source>
+        <translation>このシーンは平らなゲルのものではありません</translation>
+    </message>
 </context>
 <context>
     <name>SceneReader</name>
@@ -9440,6 +9573,22 @@ Run %2 --help for more.
     <message>
         <source>this scene cannot have the effect &quot;%1&quot;</source>
         <translation>このシーンでは効果「%1」を使えません</translation>
+    </message>
+    <message>
+        <source>the markers touch each other</source>
+        <translation>マーカーが互いに触れています</translation>
+    </message>
+    <message>
+        <source>the markers do not fit into the picture</source>
+        <translation>マーカーが画像に収まりません</translation>
+    </message>
+    <message>
+        <source>a grid smaller than %1 m x %2 m</source>
+        <translation>%1 m x %2 m より小さい格子</translation>
+    </message>
+    <message>
+        <source>this is deeper than the ball is round</source>
+        <translation>球の半径より深くなっています</translation>
     </message>
 </context>
 <context>
@@ -10422,6 +10571,17 @@ Run teleta-site --help for more.
     <message>
         <source>at least %1 ms</source>
         <translation>%1 ms以上</translation>
+    </message>
+</context>
+<context>
+    <name>SourceRequest</name>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>センサーファイルにカメラも動画も書かれていません</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>キー「source」</translation>
     </message>
 </context>
 <context>
@@ -16448,6 +16608,17 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::camera::EventList</name>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>一覧を消去(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>イベント</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::EventModel</name>
     <message>
         <source>touched</source>
@@ -16505,16 +16676,182 @@ Run teleta-site --help for more.
         <translation>カメライベント</translation>
     </message>
     <message>
-        <source>&amp;Clear the list</source>
-        <translation>一覧を消去(&amp;C)</translation>
+        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
+        <translation>チューブに起きたこと (新しい順)。コンテキストメニューで一覧をコピー・保存できます。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventModel</name>
+    <message>
+        <source>touched</source>
+        <translation>接触</translation>
     </message>
     <message>
-        <source>Events</source>
+        <source>incipient slip</source>
+        <translation>初期滑り</translation>
+    </message>
+    <message>
+        <source>SLIP</source>
+        <translation>滑り</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>離脱</translation>
+    </message>
+    <message>
+        <source>rest taken</source>
+        <translation>静止を取得</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>再開始</translation>
+    </message>
+    <message>
+        <source>picture is dark</source>
+        <translation>画像が暗い</translation>
+    </message>
+    <message>
+        <source>light jumped</source>
+        <translation>明るさの急変</translation>
+    </message>
+    <message>
+        <source>gel torn?</source>
+        <translation>ゲルの破れ？</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Event</source>
         <translation>イベント</translation>
     </message>
     <message>
-        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
-        <translation>チューブに起きたこと (新しい順)。コンテキストメニューで一覧をコピー・保存できます。</translation>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>せん断</translation>
+    </message>
+    <message>
+        <source>Slip index</source>
+        <translation>滑り指数</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventTable</name>
+    <message>
+        <source>gel-events</source>
+        <translation>gel-events</translation>
+    </message>
+    <message>
+        <source>What happened to the gel, newest first. Shear is the mean displacement of the contact&apos;s markers less that of the others. The context menu copies and saves the list.</source>
+        <translation>ゲルに起きたことを新しい順に示します。せん断は、接触のマーカーの平均変位から他のマーカーの平均変位を引いたものです。コンテキストメニューで一覧をコピー・保存できます。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelPanel</name>
+    <message>
+        <source>Resume</source>
+        <translation>続行</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>%1 of %2 markers</source>
+        <translation>マーカー %2 個のうち %1 個</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>1フレーム %1 ms、%2フレーム/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>スキップ%n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unusable</source>
+        <translation>
+            <numerusform>使用不可%n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking the gel at rest: nothing may touch it (%n more picture(s)).</source>
+        <translation>
+            <numerusform>ゲルの静止状態を取得中です。何もゲルに触れないでください（残り %n 枚）。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Displacement</source>
+        <translation>変位(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show how far each marker has moved from its place at rest</source>
+        <translation>各マーカーが静止位置からどれだけ動いたかを示す</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarged</source>
+        <translation>拡大(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Enlargement of the arrows</source>
+        <translation>矢印の拡大率</translation>
+    </message>
+    <message>
+        <source>How many times longer than the displacement the arrows are</source>
+        <translation>矢印が変位の何倍の長さか</translation>
+    </message>
+    <message>
+        <source>New &amp;rest</source>
+        <translation>静止を取り直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take the next pictures as the gel at rest: nothing may touch it</source>
+        <translation>次の画像をゲルの静止状態とする。何もゲルに触れないこと</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; markers are still followed (Space)</source>
+        <translation>画像を止める。マーカーの追跡は続く（スペース）</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelView</name>
+    <message>
+        <source>gel</source>
+        <translation>gel</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>続行(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the picture</source>
+        <translation>画像を一時停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Take the gel at &amp;rest anew</source>
+        <translation>ゲルの静止を取り直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Picture of the gel</source>
+        <translation>ゲルの画像</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the camera sees of the gel. Arrows show, enlarged, how far each marker has moved from its place at rest; a cross is a marker that is lost. Outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;The slip index is the share of the contact&apos;s markers that do not move with it: green while it sticks, amber when a part of it slips, red when all of it does.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;カメラが見るゲルの画像です。矢印は、各マーカーが静止位置からどれだけ動いたかを拡大して示します。×印は見失ったマーカーです。輪郭は接触で、それぞれ番号の色で描かれます。&lt;/p&gt;&lt;p&gt;滑り指数は、接触のマーカーのうち接触と一緒に動かないものの割合です。固着している間は緑、一部が滑ると琥珀色、全体が滑ると赤になります。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -18175,6 +18512,50 @@ Run teleta-site --help for more.
         <source>What to &amp;play:</source>
         <translation>タッチのうち再生するもの(&amp;P)：</translation>
     </message>
+    <message>
+        <source>Save the times of touches</source>
+        <translation>タッチの時刻を保存</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Read: %1</source>
+        <translation>読み取り: %1</translation>
+    </message>
+    <message>
+        <source>by the clock of the site, known to ± %1</source>
+        <translation>サイトの時計による（不確かさ± %1）</translation>
+    </message>
+    <message>
+        <source>by the clock of this computer</source>
+        <translation>このコンピューターの時計による</translation>
+    </message>
+    <message>
+        <source>Evaluated: %1 later</source>
+        <translation>評価: %1後</translation>
+    </message>
+    <message>
+        <source>First frame to the bracelet: %1 later</source>
+        <translation>ブレスレットへの最初のフレーム: %1後</translation>
+    </message>
+    <message>
+        <source>First frame that is felt: %1 later</source>
+        <translation>感じられる最初のフレーム: %1後</translation>
+    </message>
+    <message>
+        <source>Each is known to ± %1, since two clocks are compared.</source>
+        <translation>2つの時計を比べるため、それぞれの不確かさは± %1です。</translation>
+    </message>
+    <message>
+        <source>Save times…</source>
+        <translation>時刻を保存…</translation>
+    </message>
+    <message>
+        <source>Save when each touch was read, evaluated, sent and felt, as a table (CSV)</source>
+        <translation>各タッチが読み取られ、評価され、送られ、感じられた時刻を表（CSV）に保存する</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FrameDialog</name>
@@ -19522,6 +19903,10 @@ Run teleta-site --help for more.
     <message>
         <source>Run sheet</source>
         <translation>探索シート</translation>
+    </message>
+    <message>
+        <source>Gel</source>
+        <translation>ゲル</translation>
     </message>
 </context>
 <context>

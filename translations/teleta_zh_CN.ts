@@ -3448,6 +3448,38 @@ Examples:
         <source>A stiffness as a vibration pattern: play it, or edit a copy</source>
         <translation>以振动图案表示的刚度：可播放，或编辑其副本</translation>
     </message>
+    <message>
+        <source>Balls press a flat gel</source>
+        <translation>球压平面凝胶</translation>
+    </message>
+    <message>
+        <source>Markers on the skin of a flat gel move apart under two balls</source>
+        <translation>平面凝胶表面的标记在两个球下散开</translation>
+    </message>
+    <message>
+        <source>A ball shears a flat gel</source>
+        <translation>球剪切平面凝胶</translation>
+    </message>
+    <message>
+        <source>It is dragged to and fro and sticks but for a narrow rim</source>
+        <translation>来回拖动，除狭窄的边缘外保持粘着</translation>
+    </message>
+    <message>
+        <source>A ball slips on a flat gel</source>
+        <translation>球在平面凝胶上滑动</translation>
+    </message>
+    <message>
+        <source>A ring of slip grows from the rim of the contact to its middle</source>
+        <translation>滑动环从接触边缘向中心扩展</translation>
+    </message>
+    <message>
+        <source>A ball twists a flat gel</source>
+        <translation>球扭转平面凝胶</translation>
+    </message>
+    <message>
+        <source>It is turned about the normal, and the skin turns with it</source>
+        <translation>球绕法线转动，表面随之转动</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -3577,8 +3609,20 @@ Examples:
         <translation>对于已描述的阵列：最多显示其在第一帧之后一秒内发送的这么多字节</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot; or &quot;sound_bracelet&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot; 或 &quot;sound_bracelet&quot;</translation>
+        <source>the sensor file names no camera and no video</source>
+        <translation>传感器文件未指明相机或视频</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>键“source”</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; or &quot;marker_gel&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot; 或 &quot;marker_gel&quot;</translation>
+    </message>
+    <message>
+        <source>Flat gel with markers</source>
+        <translation>带标记的平面凝胶</translation>
     </message>
 </context>
 <context>
@@ -4652,6 +4696,80 @@ Examples:
     </message>
 </context>
 <context>
+    <name>GelFollower</name>
+    <message>
+        <source>The picture could not be decoded.</source>
+        <translation>图像无法解码。</translation>
+    </message>
+    <message>
+        <source>The gel at rest cannot be taken: %1</source>
+        <translation>无法取得静止的凝胶：%1</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast: is the camera covered?</source>
+        <translation>图像没有对比度：相机是否被遮住？</translation>
+    </message>
+    <message>
+        <source>More than 30 % of the markers have been lost for 1 s: is the gel torn?</source>
+        <translation>30 % 以上的标记已丢失 1 秒：凝胶是否破损？</translation>
+    </message>
+    <message>
+        <source>The light has jumped.</source>
+        <translation>光线发生突变。</translation>
+    </message>
+</context>
+<context>
+    <name>GelPicture</name>
+    <message>
+        <source>slip %1</source>
+        <translation>滑动 %1</translation>
+    </message>
+    <message>
+        <source>slip unknown</source>
+        <translation>滑动未知</translation>
+    </message>
+    <message>
+        <source>Contact %1</source>
+        <translation>接触 %1</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>位于 %1，%2</translation>
+    </message>
+    <message>
+        <source>area %1 mm²</source>
+        <translation>面积 %1 mm²</translation>
+    </message>
+    <message>
+        <source>shear %1 at %2°</source>
+        <translation>剪切 %1，方向 %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1°</source>
+        <translation>转动 %1°</translation>
+    </message>
+    <message>
+        <source>slip index %1</source>
+        <translation>滑动指数 %1</translation>
+    </message>
+    <message>
+        <source>too few markers for a slip index</source>
+        <translation>标记太少，无法给出滑动指数</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>尚无图像</translation>
+    </message>
+    <message>
+        <source>%1 mm (enlarged %2 times)</source>
+        <translation>%1 mm（放大 %2 倍）</translation>
+    </message>
+    <message>
+        <source>PAUSED</source>
+        <translation>已暂停</translation>
+    </message>
+</context>
+<context>
     <name>GelPlane</name>
     <message>
         <source>The lens in the file folds within the picture.</source>
@@ -4668,6 +4786,13 @@ Examples:
     <message>
         <source>a matrix that maps the picture onto a plane</source>
         <translation>把图像映射到平面的矩阵</translation>
+    </message>
+</context>
+<context>
+    <name>GelRun</name>
+    <message>
+        <source>the gel at rest could not be found: %1</source>
+        <translation>未能找到静止的凝胶：%1</translation>
     </message>
 </context>
 <context>
@@ -5724,10 +5849,6 @@ Examples:
 <context>
     <name>MarkersCommand</name>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames</source>
-        <translation>视频、编号图像的模式 (frame_%04d.png) 或相机编号；最初几帧中没有物体接触凝胶</translation>
-    </message>
-    <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>kind 为“marker_gel”的传感器文件</translation>
     </message>
@@ -5838,6 +5959,14 @@ Examples:
     <message>
         <source>, slip at %1 s</source>
         <translation>，%1 s 时滑动</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>视频、带编号图像的模式（frame_%04d.png）或相机编号；最初几帧中没有物体接触凝胶。默认：传感器文件指明的源</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>既未给出视频，传感器文件也未指明源</translation>
     </message>
 </context>
 <context>
@@ -9350,6 +9479,10 @@ Run %2 --help for more.
         <source>the scene is not that of an arm with an operator</source>
         <translation>该场景不是带操作者的机械臂的场景</translation>
     </message>
+    <message>
+        <source>the scene is not that of a flat gel</source>
+        <translation>该场景不是平面凝胶的场景</translation>
+    </message>
 </context>
 <context>
     <name>SceneReader</name>
@@ -9440,6 +9573,22 @@ Run %2 --help for more.
     <message>
         <source>this scene cannot have the effect &quot;%1&quot;</source>
         <translation>此场景不能有效应“%1”</translation>
+    </message>
+    <message>
+        <source>the markers touch each other</source>
+        <translation>标记互相接触</translation>
+    </message>
+    <message>
+        <source>the markers do not fit into the picture</source>
+        <translation>标记超出图像</translation>
+    </message>
+    <message>
+        <source>a grid smaller than %1 m x %2 m</source>
+        <translation>小于 %1 m x %2 m 的网格</translation>
+    </message>
+    <message>
+        <source>this is deeper than the ball is round</source>
+        <translation>深度超过了球的半径</translation>
     </message>
 </context>
 <context>
@@ -10422,6 +10571,17 @@ Run teleta-site --help for more.
     <message>
         <source>at least %1 ms</source>
         <translation>至少 %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>SourceRequest</name>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>传感器文件未指明相机或视频</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>键“source”</translation>
     </message>
 </context>
 <context>
@@ -16448,6 +16608,17 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::camera::EventList</name>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::EventModel</name>
     <message>
         <source>touched</source>
@@ -16505,16 +16676,182 @@ Run teleta-site --help for more.
         <translation>相机事件</translation>
     </message>
     <message>
-        <source>&amp;Clear the list</source>
-        <translation>清空列表(&amp;C)</translation>
+        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
+        <translation>软管上发生的事件，最新的在最前。右键菜单可复制和保存列表。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventModel</name>
+    <message>
+        <source>touched</source>
+        <translation>触碰</translation>
     </message>
     <message>
-        <source>Events</source>
+        <source>incipient slip</source>
+        <translation>初始滑动</translation>
+    </message>
+    <message>
+        <source>SLIP</source>
+        <translation>滑动</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>rest taken</source>
+        <translation>已取静止</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>picture is dark</source>
+        <translation>图像过暗</translation>
+    </message>
+    <message>
+        <source>light jumped</source>
+        <translation>光线突变</translation>
+    </message>
+    <message>
+        <source>gel torn?</source>
+        <translation>凝胶破损？</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Event</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened to the tube, newest first. The context menu copies and saves the list.</source>
-        <translation>软管上发生的事件，最新的在最前。右键菜单可复制和保存列表。</translation>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Slip index</source>
+        <translation>滑动指数</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelEventTable</name>
+    <message>
+        <source>gel-events</source>
+        <translation>gel-events</translation>
+    </message>
+    <message>
+        <source>What happened to the gel, newest first. Shear is the mean displacement of the contact&apos;s markers less that of the others. The context menu copies and saves the list.</source>
+        <translation>凝胶上发生的事件，最新的在前。剪切是接触的标记的平均位移减去其他标记的平均位移。右键菜单可复制和保存列表。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelPanel</name>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>%1 of %2 markers</source>
+        <translation>%2 个标记中的 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 ms per frame, %2 frames/s</source>
+        <translation>每帧 %1 ms，%2 帧/秒</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n 帧被跳过</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unusable</source>
+        <translation>
+            <numerusform>%n 帧不可用</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking the gel at rest: nothing may touch it (%n more picture(s)).</source>
+        <translation>
+            <numerusform>正在取凝胶的静止状态：不得有物体接触（还需 %n 幅图像）。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Displacement</source>
+        <translation>位移(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show how far each marker has moved from its place at rest</source>
+        <translation>显示每个标记离开静止位置的距离</translation>
+    </message>
+    <message>
+        <source>&amp;Enlarged</source>
+        <translation>放大(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Enlargement of the arrows</source>
+        <translation>箭头的放大倍数</translation>
+    </message>
+    <message>
+        <source>How many times longer than the displacement the arrows are</source>
+        <translation>箭头长度是位移的多少倍</translation>
+    </message>
+    <message>
+        <source>New &amp;rest</source>
+        <translation>重新取静止(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take the next pictures as the gel at rest: nothing may touch it</source>
+        <translation>把接下来的图像作为凝胶的静止状态：不得有物体接触凝胶</translation>
+    </message>
+    <message>
+        <source>Freeze the picture; markers are still followed (Space)</source>
+        <translation>冻结画面；仍继续跟踪标记（空格）</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::GelView</name>
+    <message>
+        <source>gel</source>
+        <translation>gel</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>继续(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the picture</source>
+        <translation>暂停画面(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Take the gel at &amp;rest anew</source>
+        <translation>重新取凝胶的静止状态(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Picture of the gel</source>
+        <translation>凝胶图像</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the camera sees of the gel. Arrows show, enlarged, how far each marker has moved from its place at rest; a cross is a marker that is lost. Outlines are contacts, each in the colour of its number.&lt;/p&gt;&lt;p&gt;The slip index is the share of the contact&apos;s markers that do not move with it: green while it sticks, amber when a part of it slips, red when all of it does.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;相机看到的凝胶。箭头以放大的方式表示每个标记离开静止位置的距离；叉号表示丢失的标记。轮廓为接触，各用其编号的颜色。&lt;/p&gt;&lt;p&gt;滑动指数是接触的标记中不随接触移动的份额：粘着时为绿色，部分滑动时为琥珀色，全部滑动时为红色。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -18175,6 +18512,50 @@ Run teleta-site --help for more.
         <source>What to &amp;play:</source>
         <translation>播放触碰的(&amp;P)：</translation>
     </message>
+    <message>
+        <source>Save the times of touches</source>
+        <translation>保存触碰的时间</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Read: %1</source>
+        <translation>读取：%1</translation>
+    </message>
+    <message>
+        <source>by the clock of the site, known to ± %1</source>
+        <translation>按站点的时钟，不确定度 ± %1</translation>
+    </message>
+    <message>
+        <source>by the clock of this computer</source>
+        <translation>按本计算机的时钟</translation>
+    </message>
+    <message>
+        <source>Evaluated: %1 later</source>
+        <translation>评估：%1 之后</translation>
+    </message>
+    <message>
+        <source>First frame to the bracelet: %1 later</source>
+        <translation>发送到手环的第一帧：%1 之后</translation>
+    </message>
+    <message>
+        <source>First frame that is felt: %1 later</source>
+        <translation>可感觉到的第一帧：%1 之后</translation>
+    </message>
+    <message>
+        <source>Each is known to ± %1, since two clocks are compared.</source>
+        <translation>由于比较了两个时钟，每个值的不确定度为 ± %1。</translation>
+    </message>
+    <message>
+        <source>Save times…</source>
+        <translation>保存时间…</translation>
+    </message>
+    <message>
+        <source>Save when each touch was read, evaluated, sent and felt, as a table (CSV)</source>
+        <translation>将每次触碰被读取、评估、发送和感觉到的时刻保存为表格（CSV）</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FrameDialog</name>
@@ -19522,6 +19903,10 @@ Run teleta-site --help for more.
     <message>
         <source>Run sheet</source>
         <translation>物体清单</translation>
+    </message>
+    <message>
+        <source>Gel</source>
+        <translation>凝胶</translation>
     </message>
 </context>
 <context>
