@@ -6,12 +6,14 @@
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/scene3d_view.h"
+#include "widgets/view3d/scene_overlay.h"
 #include "widgets/view3d/vtk/guest_render_window.h"
 #include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QImage>
+#include <QPainter>
 #include <QTest>
 
 #include <vtkRenderer.h>
@@ -323,6 +325,29 @@ private slots:
         QCOMPARE(kept.size(), kKept);
         const bool dark = index % 2 == 1;
         QVERIFY(!areAlike(likeness(drawn(without, dark), kept)));
+    }
+
+    void aLabelBesideAPointHidesNothingAroundIt() {
+        const auto coveredAround = [](bool beside) {
+            QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
+            image.fill(Qt::transparent);
+            view3d::OverlayContent content;
+            content.font = QApplication::font();
+            content.colours = view3d::SceneColours(base::designedPalette(true));
+            content.labels.push_back({QPointF(0.5, 0.5), QStringLiteral("1: 0.36 N"), Qt::red, true, beside});
+            QPainter painter(&image);
+            view3d::paintOverlay(painter, image.size(), content);
+            painter.end();
+            // But for the line that ties it to the point.
+            const int em = QFontMetrics(content.font).height();
+            int covered = 0;
+            for (int y = -2 * em; y <= 2 * em; ++y)
+                for (int x = -em; x <= em; ++x)
+                    covered += std::abs(y) > 2 && image.pixelColor(200 + x, 150 + y).alpha() > 0 ? 1 : 0;
+            return covered;
+        };
+        QCOMPARE(coveredAround(true), 0);
+        QVERIFY2(coveredAround(false) > 100, "one above it does");
     }
 
     /// The measure sees what it is for.
