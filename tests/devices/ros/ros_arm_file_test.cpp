@@ -93,7 +93,8 @@ TEST(RosArmFile, saysWhereItIsWrong) {
 
 TEST(RosArmFile, whatCannotBeKeptIsRefused) {
     EXPECT_EQ(errorWith("adapter = \"velocity\"\n"),
-              "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory, moveit_servo)");
+              "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory, "
+              "moveit_servo)");
     EXPECT_EQ(errorWith("unguarded = true\n"),
               "arm.toml:6:13: no available adapter moves an arm unguarded (expected false)");
     EXPECT_EQ(errorWith("effort_contains_gravity = true\n"),
