@@ -208,7 +208,7 @@ endif()
 # Linked last, so that its options count.
 add_library(teleta_test_options INTERFACE)
 target_compile_options(teleta_test_options INTERFACE -fPIC)
-if(NOT TELETA_SANITIZE)
+if(NOT TELETA_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # With it, GCC finds errors in the standard library and in Qt that are not there.
     target_compile_options(
         teleta_test_options INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1> -Wno-null-dereference -Wno-array-bounds
