@@ -760,6 +760,30 @@
         <source>a message has %1 x %2 numbers, the file has %3 x %4 taxels</source>
         <translation>un message a %1 x %2 nombres, le fichier a %3 x %4 taxels</translation>
     </message>
+    <message>
+        <source>a message has %1 bytes, its size says %2</source>
+        <translation>un message a %1 octets, sa taille en dit %2</translation>
+    </message>
+    <message>
+        <source>a message has %1 sensors</source>
+        <translation>un message a %1 capteurs</translation>
+    </message>
+    <message>
+        <source>sensor = &quot;NAME&quot; in the file</source>
+        <translation>sensor = &quot;NOM&quot; dans le fichier</translation>
+    </message>
+    <message>
+        <source>a message has %1 dimensions</source>
+        <translation>un message a %1 dimensions</translation>
+    </message>
+    <message>
+        <source>rows and columns</source>
+        <translation>lignes et colonnes</translation>
+    </message>
+    <message>
+        <source>a message has the encoding &quot;%1&quot;</source>
+        <translation>un message a le codage «&#xa0;%1&#xa0;»</translation>
+    </message>
 </context>
 <context>
     <name>BakeText</name>
@@ -4818,6 +4842,46 @@ Exemples&#xa0;:
         <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
         <translation>au moins %1 taches rondes de même taille&#xa0;; vérifiez channel, marker et diameter_px dans le fichier du capteur</translation>
     </message>
+    <message>
+        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
+        <translation>Le recadrage dépasse l’image de %1 x %2 pixels.</translation>
+    </message>
+    <message>
+        <source>x + width and y + height within the picture</source>
+        <translation>x + largeur et y + hauteur dans l’image</translation>
+    </message>
+    <message>
+        <source>The picture is black.</source>
+        <translation>L’image est noire.</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast.</source>
+        <translation>L’image n’a pas de contraste.</translation>
+    </message>
+    <message>
+        <source>a picture of the gel&apos;s markers</source>
+        <translation>une image des marqueurs du gel</translation>
+    </message>
+    <message>
+        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
+        <translation>L’image ne montre pas de grille de %1 x %2 marqueurs&#xa0;: %3 taches, dont %4 en grille.</translation>
+    </message>
+    <message>
+        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
+        <translation>Les marqueurs ne forment pas de grille hexagonale&#xa0;: seules %1 taches sur %2.</translation>
+    </message>
+    <message>
+        <source>the grid that the sensor&apos;s file names</source>
+        <translation>la grille que nomme le fichier du capteur</translation>
+    </message>
+    <message>
+        <source>The size of the picture has changed to %1 x %2.</source>
+        <translation>La taille de l’image est passée à %1 x %2.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels, as at the beginning</source>
+        <translation>%1 x %2 pixels, comme au début</translation>
+    </message>
 </context>
 <context>
     <name>HandStation</name>
@@ -5775,49 +5839,6 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>MarkerGel</name>
-    <message>
-        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
-        <translation>Le recadrage dépasse l’image de %1 x %2 pixels.</translation>
-    </message>
-    <message>
-        <source>x + width and y + height within the picture</source>
-        <translation>x + largeur et y + hauteur dans l’image</translation>
-    </message>
-    <message>
-        <source>The picture is black.</source>
-        <translation>L’image est noire.</translation>
-    </message>
-    <message>
-        <source>The picture has no contrast.</source>
-        <translation>L’image n’a pas de contraste.</translation>
-    </message>
-    <message>
-        <source>a picture of the gel&apos;s markers</source>
-        <translation>une image des marqueurs du gel</translation>
-    </message>
-    <message>
-        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
-        <translation>L’image ne montre pas de grille de %1 x %2 marqueurs&#xa0;: %3 taches, dont %4 en grille.</translation>
-    </message>
-    <message>
-        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
-        <translation>Les marqueurs ne forment pas de grille hexagonale&#xa0;: seules %1 taches sur %2.</translation>
-    </message>
-    <message>
-        <source>the grid that the sensor&apos;s file names</source>
-        <translation>la grille que nomme le fichier du capteur</translation>
-    </message>
-    <message>
-        <source>The size of the picture has changed to %1 x %2.</source>
-        <translation>La taille de l’image est passée à %1 x %2.</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels, as at the beginning</source>
-        <translation>%1 x %2 pixels, comme au début</translation>
-    </message>
-</context>
-<context>
     <name>MarkerGelFile</name>
     <message>
         <source>the plane is described twice</source>
@@ -5865,14 +5886,30 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
-    <name>MarkersCommand</name>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>la caméra n’envoie plus d’images</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images. Par défaut&#xa0;: la source que le fichier du capteur indique</translation>
+    </message>
     <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>Fichier du capteur, de kind «&#xa0;marker_gel&#xa0;»</translation>
     </message>
     <message>
+        <source>Print a summary instead of the table</source>
+        <translation>Afficher un résumé au lieu du tableau</translation>
+    </message>
+    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>un bilan est affiché&#xa0;; --out écrit le tableau</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>aucune vidéo n’est donnée et le fichier du capteur n’indique pas de source</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5920,7 +5957,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1&#xa0;%</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>diameter</source>
@@ -5955,14 +5992,6 @@ Exemples&#xa0;:
         <translation>contacts</translation>
     </message>
     <message>
-        <source>Follow the markers of a flat gel in a video</source>
-        <translation>Suivre les marqueurs d’un gel plat dans une vidéo</translation>
-    </message>
-    <message>
-        <source>Print a summary instead of the table</source>
-        <translation>Afficher un résumé au lieu du tableau</translation>
-    </message>
-    <message>
         <source>contact %1</source>
         <translation>contact %1</translation>
     </message>
@@ -5979,19 +6008,8 @@ Exemples&#xa0;:
         <translation>, glissement à %1 s</translation>
     </message>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
-        <translation>Vidéo, motif d’images numérotées (frame_%04d.png) ou numéro d’une caméra&#xa0;; rien ne touche le gel dans les premières images. Par défaut&#xa0;: la source que le fichier du capteur indique</translation>
-    </message>
-    <message>
-        <source>neither a video is given nor does the sensor file name a source</source>
-        <translation>aucune vidéo n’est donnée et le fichier du capteur n’indique pas de source</translation>
-    </message>
-</context>
-<context>
-    <name>MarkersText</name>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>la caméra n’envoie plus d’images</translation>
+        <source>Follow the markers of a flat gel in a video</source>
+        <translation>Suivre les marqueurs d’un gel plat dans une vidéo</translation>
     </message>
 </context>
 <context>
@@ -9281,33 +9299,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>RosArrayMessage</name>
-    <message>
-        <source>a message has %1 bytes, its size says %2</source>
-        <translation>un message a %1 octets, sa taille en dit %2</translation>
-    </message>
-    <message>
-        <source>a message has %1 sensors</source>
-        <translation>un message a %1 capteurs</translation>
-    </message>
-    <message>
-        <source>sensor = &quot;NAME&quot; in the file</source>
-        <translation>sensor = &quot;NOM&quot; dans le fichier</translation>
-    </message>
-    <message>
-        <source>a message has %1 dimensions</source>
-        <translation>un message a %1 dimensions</translation>
-    </message>
-    <message>
-        <source>rows and columns</source>
-        <translation>lignes et colonnes</translation>
-    </message>
-    <message>
-        <source>a message has the encoding &quot;%1&quot;</source>
-        <translation>un message a le codage «&#xa0;%1&#xa0;»</translation>
-    </message>
-</context>
-<context>
     <name>RosCommand</name>
     <message>
         <source>List topics and who publishes and reads them</source>
@@ -10600,17 +10591,6 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
-    <name>SourceRequest</name>
-    <message>
-        <source>the sensor file names no camera and no video</source>
-        <translation>le fichier du capteur n’indique ni caméra ni vidéo</translation>
-    </message>
-    <message>
-        <source>a key &quot;source&quot;</source>
-        <translation>une clé «&#xa0;source&#xa0;»</translation>
-    </message>
-</context>
-<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -10703,6 +10683,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>des virgules, et un point dans les nombres&#xa0;: les essais qui sont dans data/ de l’étude, ou le fichier enregistré en CSV avec des virgules</translation>
+    </message>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>le fichier du capteur n’indique ni caméra ni vidéo</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>une clé «&#xa0;source&#xa0;»</translation>
     </message>
 </context>
 <context>

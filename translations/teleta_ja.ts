@@ -758,6 +758,30 @@
         <source>a message has %1 x %2 numbers, the file has %3 x %4 taxels</source>
         <translation>メッセージの数は%1 x %2ですが、ファイルのタクセルは%3 x %4です</translation>
     </message>
+    <message>
+        <source>a message has %1 bytes, its size says %2</source>
+        <translation>メッセージは%1バイトですが、その大きさによれば%2です</translation>
+    </message>
+    <message>
+        <source>a message has %1 sensors</source>
+        <translation>メッセージには%1個のセンサーがあります</translation>
+    </message>
+    <message>
+        <source>sensor = &quot;NAME&quot; in the file</source>
+        <translation>ファイルにsensor = &quot;名前&quot;</translation>
+    </message>
+    <message>
+        <source>a message has %1 dimensions</source>
+        <translation>メッセージには%1個の次元があります</translation>
+    </message>
+    <message>
+        <source>rows and columns</source>
+        <translation>行と列</translation>
+    </message>
+    <message>
+        <source>a message has the encoding &quot;%1&quot;</source>
+        <translation>メッセージの符号化は「%1」です</translation>
+    </message>
 </context>
 <context>
     <name>BakeText</name>
@@ -4805,6 +4829,46 @@ Examples:
         <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
         <translation>同じ大きさの丸い点が%1個以上。センサーファイルのchannel、marker、diameter_pxを確認してください</translation>
     </message>
+    <message>
+        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
+        <translation>切り抜きが %1 x %2 画素の画像からはみ出します。</translation>
+    </message>
+    <message>
+        <source>x + width and y + height within the picture</source>
+        <translation>x + 幅と y + 高さが画像の中</translation>
+    </message>
+    <message>
+        <source>The picture is black.</source>
+        <translation>画像が真っ黒です。</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast.</source>
+        <translation>画像にコントラストがありません。</translation>
+    </message>
+    <message>
+        <source>a picture of the gel&apos;s markers</source>
+        <translation>ゲルのマーカーの画像</translation>
+    </message>
+    <message>
+        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
+        <translation>画像に %1 x %2 のマーカーの格子がありません。点 %3 個、うち格子上 %4 個。</translation>
+    </message>
+    <message>
+        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
+        <translation>マーカーが六角格子をなしていません。%2 個の点のうち %1 個です。</translation>
+    </message>
+    <message>
+        <source>the grid that the sensor&apos;s file names</source>
+        <translation>センサーのファイルにある格子</translation>
+    </message>
+    <message>
+        <source>The size of the picture has changed to %1 x %2.</source>
+        <translation>画像の大きさが %1 x %2 に変わりました。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels, as at the beginning</source>
+        <translation>最初と同じ %1 x %2 画素</translation>
+    </message>
 </context>
 <context>
     <name>HandStation</name>
@@ -5757,49 +5821,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>MarkerGel</name>
-    <message>
-        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
-        <translation>切り抜きが %1 x %2 画素の画像からはみ出します。</translation>
-    </message>
-    <message>
-        <source>x + width and y + height within the picture</source>
-        <translation>x + 幅と y + 高さが画像の中</translation>
-    </message>
-    <message>
-        <source>The picture is black.</source>
-        <translation>画像が真っ黒です。</translation>
-    </message>
-    <message>
-        <source>The picture has no contrast.</source>
-        <translation>画像にコントラストがありません。</translation>
-    </message>
-    <message>
-        <source>a picture of the gel&apos;s markers</source>
-        <translation>ゲルのマーカーの画像</translation>
-    </message>
-    <message>
-        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
-        <translation>画像に %1 x %2 のマーカーの格子がありません。点 %3 個、うち格子上 %4 個。</translation>
-    </message>
-    <message>
-        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
-        <translation>マーカーが六角格子をなしていません。%2 個の点のうち %1 個です。</translation>
-    </message>
-    <message>
-        <source>the grid that the sensor&apos;s file names</source>
-        <translation>センサーのファイルにある格子</translation>
-    </message>
-    <message>
-        <source>The size of the picture has changed to %1 x %2.</source>
-        <translation>画像の大きさが %1 x %2 に変わりました。</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels, as at the beginning</source>
-        <translation>最初と同じ %1 x %2 画素</translation>
-    </message>
-</context>
-<context>
     <name>MarkerGelFile</name>
     <message>
         <source>the plane is described twice</source>
@@ -5847,14 +5868,30 @@ Examples:
     </message>
 </context>
 <context>
-    <name>MarkersCommand</name>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>カメラがフレームを送らなくなりました</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>動画、番号付き画像のパターン（frame_%04d.png）、またはカメラの番号。最初のフレームでは何もゲルに触れないこと。既定：センサーファイルに書かれた source</translation>
+    </message>
     <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>kind が「marker_gel」のセンサーのファイル</translation>
     </message>
     <message>
+        <source>Print a summary instead of the table</source>
+        <translation>表の代わりに要約を出力</translation>
+    </message>
+    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>要約は表示されるだけです。--out は表を書き出します</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>動画が指定されておらず、センサーファイルにも source がありません</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5937,14 +5974,6 @@ Examples:
         <translation>接触</translation>
     </message>
     <message>
-        <source>Follow the markers of a flat gel in a video</source>
-        <translation>動画で平らなゲルのマーカーを追う</translation>
-    </message>
-    <message>
-        <source>Print a summary instead of the table</source>
-        <translation>表の代わりに要約を出力</translation>
-    </message>
-    <message>
         <source>contact %1</source>
         <translation>接触 %1</translation>
     </message>
@@ -5961,19 +5990,8 @@ Examples:
         <translation>、%1 sで滑り</translation>
     </message>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
-        <translation>動画、番号付き画像のパターン（frame_%04d.png）、またはカメラの番号。最初のフレームでは何もゲルに触れないこと。既定：センサーファイルに書かれた source</translation>
-    </message>
-    <message>
-        <source>neither a video is given nor does the sensor file name a source</source>
-        <translation>動画が指定されておらず、センサーファイルにも source がありません</translation>
-    </message>
-</context>
-<context>
-    <name>MarkersText</name>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>カメラがフレームを送らなくなりました</translation>
+        <source>Follow the markers of a flat gel in a video</source>
+        <translation>動画で平らなゲルのマーカーを追う</translation>
     </message>
 </context>
 <context>
@@ -9256,33 +9274,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>RosArrayMessage</name>
-    <message>
-        <source>a message has %1 bytes, its size says %2</source>
-        <translation>メッセージは%1バイトですが、その大きさによれば%2です</translation>
-    </message>
-    <message>
-        <source>a message has %1 sensors</source>
-        <translation>メッセージには%1個のセンサーがあります</translation>
-    </message>
-    <message>
-        <source>sensor = &quot;NAME&quot; in the file</source>
-        <translation>ファイルにsensor = &quot;名前&quot;</translation>
-    </message>
-    <message>
-        <source>a message has %1 dimensions</source>
-        <translation>メッセージには%1個の次元があります</translation>
-    </message>
-    <message>
-        <source>rows and columns</source>
-        <translation>行と列</translation>
-    </message>
-    <message>
-        <source>a message has the encoding &quot;%1&quot;</source>
-        <translation>メッセージの符号化は「%1」です</translation>
-    </message>
-</context>
-<context>
     <name>RosCommand</name>
     <message>
         <source>List topics and who publishes and reads them</source>
@@ -10574,17 +10565,6 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
-    <name>SourceRequest</name>
-    <message>
-        <source>the sensor file names no camera and no video</source>
-        <translation>センサーファイルにカメラも動画も書かれていません</translation>
-    </message>
-    <message>
-        <source>a key &quot;source&quot;</source>
-        <translation>キー「source」</translation>
-    </message>
-</context>
-<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -10677,6 +10657,14 @@ Run teleta-site --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>コンマ区切りで、小数点はピリオド: 実験のdata/にある試行、またはコンマ区切りのCSVとして保存したファイル</translation>
+    </message>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>センサーファイルにカメラも動画も書かれていません</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>キー「source」</translation>
     </message>
 </context>
 <context>

@@ -758,6 +758,30 @@
         <source>a message has %1 x %2 numbers, the file has %3 x %4 taxels</source>
         <translation>一条消息有 %1 x %2 个数，文件有 %3 x %4 个触觉单元</translation>
     </message>
+    <message>
+        <source>a message has %1 bytes, its size says %2</source>
+        <translation>一条消息有 %1 个字节，按其尺寸应为 %2 个</translation>
+    </message>
+    <message>
+        <source>a message has %1 sensors</source>
+        <translation>一条消息有 %1 个传感器</translation>
+    </message>
+    <message>
+        <source>sensor = &quot;NAME&quot; in the file</source>
+        <translation>文件中的 sensor = &quot;名称&quot;</translation>
+    </message>
+    <message>
+        <source>a message has %1 dimensions</source>
+        <translation>一条消息有 %1 个维度</translation>
+    </message>
+    <message>
+        <source>rows and columns</source>
+        <translation>行和列</translation>
+    </message>
+    <message>
+        <source>a message has the encoding &quot;%1&quot;</source>
+        <translation>一条消息的编码为“%1”</translation>
+    </message>
 </context>
 <context>
     <name>BakeText</name>
@@ -4805,6 +4829,46 @@ Examples:
         <source>at least %1 round spots of one size; check channel, marker and diameter_px in the sensor file</source>
         <translation>至少 %1 个大小相同的圆点；请检查传感器文件中的 channel、marker 和 diameter_px</translation>
     </message>
+    <message>
+        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
+        <translation>裁剪超出了 %1 x %2 像素的图像。</translation>
+    </message>
+    <message>
+        <source>x + width and y + height within the picture</source>
+        <translation>x + 宽和 y + 高在图像之内</translation>
+    </message>
+    <message>
+        <source>The picture is black.</source>
+        <translation>图像是黑的。</translation>
+    </message>
+    <message>
+        <source>The picture has no contrast.</source>
+        <translation>图像没有对比度。</translation>
+    </message>
+    <message>
+        <source>a picture of the gel&apos;s markers</source>
+        <translation>凝胶标记的图像</translation>
+    </message>
+    <message>
+        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
+        <translation>图像中没有 %1 x %2 的标记网格：%3 个点，其中 %4 个成网格。</translation>
+    </message>
+    <message>
+        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
+        <translation>标记没有形成六角网格：%2 个点中只有 %1 个。</translation>
+    </message>
+    <message>
+        <source>the grid that the sensor&apos;s file names</source>
+        <translation>传感器文件所述的网格</translation>
+    </message>
+    <message>
+        <source>The size of the picture has changed to %1 x %2.</source>
+        <translation>图像的大小变为 %1 x %2。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels, as at the beginning</source>
+        <translation>与开始时相同的 %1 x %2 像素</translation>
+    </message>
 </context>
 <context>
     <name>HandStation</name>
@@ -5757,49 +5821,6 @@ Examples:
     </message>
 </context>
 <context>
-    <name>MarkerGel</name>
-    <message>
-        <source>The crop reaches out of the picture of %1 x %2 pixels.</source>
-        <translation>裁剪超出了 %1 x %2 像素的图像。</translation>
-    </message>
-    <message>
-        <source>x + width and y + height within the picture</source>
-        <translation>x + 宽和 y + 高在图像之内</translation>
-    </message>
-    <message>
-        <source>The picture is black.</source>
-        <translation>图像是黑的。</translation>
-    </message>
-    <message>
-        <source>The picture has no contrast.</source>
-        <translation>图像没有对比度。</translation>
-    </message>
-    <message>
-        <source>a picture of the gel&apos;s markers</source>
-        <translation>凝胶标记的图像</translation>
-    </message>
-    <message>
-        <source>The picture shows no grid of %1 x %2 markers: %3 spots, %4 of them in a grid.</source>
-        <translation>图像中没有 %1 x %2 的标记网格：%3 个点，其中 %4 个成网格。</translation>
-    </message>
-    <message>
-        <source>The markers form no hexagonal grid: %1 of %2 spots do.</source>
-        <translation>标记没有形成六角网格：%2 个点中只有 %1 个。</translation>
-    </message>
-    <message>
-        <source>the grid that the sensor&apos;s file names</source>
-        <translation>传感器文件所述的网格</translation>
-    </message>
-    <message>
-        <source>The size of the picture has changed to %1 x %2.</source>
-        <translation>图像的大小变为 %1 x %2。</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels, as at the beginning</source>
-        <translation>与开始时相同的 %1 x %2 像素</translation>
-    </message>
-</context>
-<context>
     <name>MarkerGelFile</name>
     <message>
         <source>the plane is described twice</source>
@@ -5847,14 +5868,30 @@ Examples:
     </message>
 </context>
 <context>
-    <name>MarkersCommand</name>
+    <name>MarkersText</name>
+    <message>
+        <source>the camera has stopped sending frames</source>
+        <translation>相机已停止发送图像</translation>
+    </message>
+    <message>
+        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
+        <translation>视频、带编号图像的模式（frame_%04d.png）或相机编号；最初几帧中没有物体接触凝胶。默认：传感器文件指明的源</translation>
+    </message>
     <message>
         <source>Sensor file of kind &quot;marker_gel&quot;</source>
         <translation>kind 为“marker_gel”的传感器文件</translation>
     </message>
     <message>
+        <source>Print a summary instead of the table</source>
+        <translation>输出摘要而不是表格</translation>
+    </message>
+    <message>
         <source>a summary is printed; --out writes the table</source>
         <translation>汇总只会输出到屏幕；--out 写出表格</translation>
+    </message>
+    <message>
+        <source>neither a video is given nor does the sensor file name a source</source>
+        <translation>既未给出视频，传感器文件也未指明源</translation>
     </message>
     <message>
         <source>the video has no frame that can be decoded</source>
@@ -5937,14 +5974,6 @@ Examples:
         <translation>接触</translation>
     </message>
     <message>
-        <source>Follow the markers of a flat gel in a video</source>
-        <translation>在视频中跟踪平面凝胶的标记</translation>
-    </message>
-    <message>
-        <source>Print a summary instead of the table</source>
-        <translation>输出摘要而不是表格</translation>
-    </message>
-    <message>
         <source>contact %1</source>
         <translation>接触 %1</translation>
     </message>
@@ -5961,19 +5990,8 @@ Examples:
         <translation>，%1 s 时滑动</translation>
     </message>
     <message>
-        <source>Video, pattern of numbered images (frame_%04d.png) or number of a camera; nothing touches the gel in the first frames. Default: the source that the sensor file names</source>
-        <translation>视频、带编号图像的模式（frame_%04d.png）或相机编号；最初几帧中没有物体接触凝胶。默认：传感器文件指明的源</translation>
-    </message>
-    <message>
-        <source>neither a video is given nor does the sensor file name a source</source>
-        <translation>既未给出视频，传感器文件也未指明源</translation>
-    </message>
-</context>
-<context>
-    <name>MarkersText</name>
-    <message>
-        <source>the camera has stopped sending frames</source>
-        <translation>相机已停止发送图像</translation>
+        <source>Follow the markers of a flat gel in a video</source>
+        <translation>在视频中跟踪平面凝胶的标记</translation>
     </message>
 </context>
 <context>
@@ -9256,33 +9274,6 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
-    <name>RosArrayMessage</name>
-    <message>
-        <source>a message has %1 bytes, its size says %2</source>
-        <translation>一条消息有 %1 个字节，按其尺寸应为 %2 个</translation>
-    </message>
-    <message>
-        <source>a message has %1 sensors</source>
-        <translation>一条消息有 %1 个传感器</translation>
-    </message>
-    <message>
-        <source>sensor = &quot;NAME&quot; in the file</source>
-        <translation>文件中的 sensor = &quot;名称&quot;</translation>
-    </message>
-    <message>
-        <source>a message has %1 dimensions</source>
-        <translation>一条消息有 %1 个维度</translation>
-    </message>
-    <message>
-        <source>rows and columns</source>
-        <translation>行和列</translation>
-    </message>
-    <message>
-        <source>a message has the encoding &quot;%1&quot;</source>
-        <translation>一条消息的编码为“%1”</translation>
-    </message>
-</context>
-<context>
     <name>RosCommand</name>
     <message>
         <source>List topics and who publishes and reads them</source>
@@ -10574,17 +10565,6 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
-    <name>SourceRequest</name>
-    <message>
-        <source>the sensor file names no camera and no video</source>
-        <translation>传感器文件未指明相机或视频</translation>
-    </message>
-    <message>
-        <source>a key &quot;source&quot;</source>
-        <translation>键“source”</translation>
-    </message>
-</context>
-<context>
     <name>SourceText</name>
     <message>
         <source>these are data of different modes: %1 and %2</source>
@@ -10677,6 +10657,14 @@ Run teleta-site --help for more.
     <message>
         <source>commas, and a point in numbers: the trials that are in data/ of the study, or the file saved as CSV with commas</source>
         <translation>以逗号分隔，数字用小数点：研究的 data/ 中的试次，或以逗号保存为 CSV 的文件</translation>
+    </message>
+    <message>
+        <source>the sensor file names no camera and no video</source>
+        <translation>传感器文件未指明相机或视频</translation>
+    </message>
+    <message>
+        <source>a key &quot;source&quot;</source>
+        <translation>键“source”</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ namespace teleta::app {
 namespace {
 
 struct SourceText {
-    Q_DECLARE_TR_FUNCTIONS(SourceRequest)
+    Q_DECLARE_TR_FUNCTIONS(SourceText)
 };
 
 using Opened = std::shared_ptr<pipeline::Channel>;

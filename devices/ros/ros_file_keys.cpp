@@ -10,7 +10,7 @@ namespace teleta::ros_arm {
 namespace {
 
 struct FileKeysText {
-    Q_DECLARE_TR_FUNCTIONS(RosFileKeys)
+    Q_DECLARE_TR_FUNCTIONS(FileKeysText)
 };
 
 constexpr double kShortestTimeout_s = 0.02;

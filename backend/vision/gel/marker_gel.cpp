@@ -17,7 +17,7 @@ namespace teleta::vision {
 namespace {
 
 struct GelText {
-    Q_DECLARE_TR_FUNCTIONS(MarkerGel)
+    Q_DECLARE_TR_FUNCTIONS(GelText)
 };
 
 constexpr std::size_t kLeastMarkers = 4;

@@ -20,7 +20,7 @@ namespace teleta::ros_array {
 namespace {
 
 struct ArrayMessageText {
-    Q_DECLARE_TR_FUNCTIONS(RosArrayMessage)
+    Q_DECLARE_TR_FUNCTIONS(ArrayMessageText)
 };
 
 float loadOf(double number, const RosArrayFile& file) {

@@ -29,7 +29,7 @@ namespace teleta::cli {
 namespace {
 
 struct MarkersText {
-    Q_DECLARE_TR_FUNCTIONS(MarkersCommand)
+    Q_DECLARE_TR_FUNCTIONS(MarkersText)
 };
 
 constexpr double kMmPerM = 1000.0;
