@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 
 using namespace teleta;
@@ -22,7 +23,7 @@ namespace {
 constexpr std::int64_t kOffset_ns = 5'000'000'000;
 constexpr std::int64_t kBound_ns = 21'000'000;
 
-playback::Program pattern(const std::string& /*id*/ = {}) {
+playback::Program halfDrive(const std::string& /*id*/ = {}) {
     core::Intensities half{};
     half.fill(0.5);
     return {[half](double) { return half; }, 600.0};
@@ -65,7 +66,7 @@ private slots:
         m_station = test::patientBracelet(m_stop);
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY((m_station->tick(), m_station->isReady()));
-        m_station->setLibrary(pattern);
+        m_station->setLibrary(halfDrive);
     }
     void cleanup() { m_station.reset(); }
 
