@@ -71,8 +71,10 @@ void TactileFeedback::onTouch(const TouchRecord& record) {
     const Entry* entry = ofStiffness(*settings, record);
     if (entry == nullptr)
         return;
+    const std::int64_t evaluated_ns = core::steadyNow_ns();
     const bool taken = entry->program.evaluate && m_play(entry->program);
     FeedbackSent sent = messageOf(record, *entry, taken);
+    sent.sent_ns = evaluated_ns;
     if (record.stiffness->materialKnown())
         sent.material = record.stiffness->material;
     else
@@ -87,11 +89,13 @@ void TactileFeedback::onContour(const TouchRecord& record, const ExploredContour
         return;
     const Entry& entry = settings->shape[static_cast<std::size_t>(*shape)];
     const Entry* before = ofStiffness(*settings, record);
+    const std::int64_t evaluated_ns = core::steadyNow_ns();
     // The pattern of the stiffness has begun a moment ago: it begins again, with the shape behind it.
     const bool taken = entry.program.evaluate && m_play(before != nullptr && before->program.evaluate
                                                             ? oneAfterTheOther(before->program, entry.program)
                                                             : entry.program);
     FeedbackSent sent = messageOf(record, entry, taken);
+    sent.sent_ns = evaluated_ns;
     sent.shape = shape;
     m_sent.push(std::move(sent));
 }
@@ -103,7 +107,6 @@ FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& 
     sent.missing = !entry.id.empty() && !entry.program.evaluate;
     sent.refused = !entry.id.empty() && !sent.missing && !taken;
     sent.felt_ns = record.ready_ns;
-    sent.sent_ns = core::steadyNow_ns();
     return sent;
 }
 

@@ -67,6 +67,8 @@ private slots:
         m_station->choose(BraceletChoice::simulated);
         QTRY_VERIFY((m_station->tick(), m_station->isReady()));
         m_station->setLibrary(halfDrive);
+        m_station->setMap(pattern::PatternMap::defaults());
+        m_station->setMode(pipeline::FeedbackMode::stiffness);
     }
     void cleanup() { m_station.reset(); }
 
