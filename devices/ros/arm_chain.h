@@ -5,7 +5,7 @@
 #include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
 #include "devices/dds/participant.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 
 #include <QStringList>
 

@@ -7,7 +7,7 @@
 #include "backend/ros/qos_profile.h"
 #include "devices/dds/discovery.h"
 #include "devices/ros/arm_fault.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 
 #include <QString>
 

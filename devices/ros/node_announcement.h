@@ -4,7 +4,7 @@
 #include "backend/core/error.h"
 #include "devices/dds/endpoint.h"
 #include "devices/dds/participant.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 
 #include <memory>
 #include <string>

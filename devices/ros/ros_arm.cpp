@@ -225,7 +225,6 @@ void RosArm::step(std::int64_t now_ns) {
         state.effort = joints->effort;
     state.effortMissing = effortMissing;
     state.forceMissing = forceMissing;
-    state.force_Base_N = force_Base_N;
     state.lacking = std::move(lacking);
     if (clockOff)
         state.clockOff_s = m_clockDifference_s;

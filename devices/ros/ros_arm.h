@@ -17,7 +17,7 @@
 #include "devices/ros/arm_commander.h"
 #include "devices/ros/joint_watch.h"
 #include "devices/ros/node_announcement.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 #include "devices/ros/trajectory_mover.h"
 #include "devices/ros/wrench_watch.h"
 
@@ -42,7 +42,6 @@ struct RosArmState {
     bool ready = false;               ///< one reads it, and other programs would have been found
     bool effortMissing = false;       ///< effort_stop needs efforts, and they are not told
     bool forceMissing = false;        ///< force_stop_N needs the force at the wrist, and it is not known
-    std::optional<Eigen::Vector3d> force_Base_N{}; ///< on the arm; nothing: not known
     /// Our wall clock less the newest stamp, where the adapter needs both to agree and they do not.
     std::optional<double> clockOff_s{};
     std::string lacking;      ///< a device that the file requires and that is not live; empty: none

@@ -4,7 +4,7 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/joint_vector.h"
 #include "backend/ros/messages.h"
-#include "devices/ros/ros_wrench_file.h"
+#include "devices/ros/files/ros_wrench_file.h"
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #include "devices/bracelet/hid_bracelet_file.h"
 #include "devices/modbus/register_map.h"
 #include "devices/mouse3d/mouse3d_reports.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 #include "devices/sound_bracelet/sound_bracelet_file.h"
 #include "devices/taxels/frames/frame_decoder.h"
 #include "devices/taxels/taxels_file.h"

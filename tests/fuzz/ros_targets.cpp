@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/ros/joint_state_joiner.h"
 #include "devices/ros/array/array_message.h"
-#include "devices/ros/ros_wrench_file.h"
+#include "devices/ros/files/ros_wrench_file.h"
 #include "tests/fuzz/fuzz_check.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/floating_point_traps.h"

@@ -77,6 +77,7 @@ void RosArray::open(core::Wakeup& consumer) {
     m_counters = {};
     m_published.set(m_counters);
     m_misfit.clear();
+    m_stamps = {};
     m_lastStamp_s.reset();
     m_time_s = 0.0;
     m_last_ns = core::steadyNow_ns();
@@ -118,6 +119,7 @@ void RosArray::takeAll() {
         m_block.discontinuity = std::exchange(m_discontinuity, false);
         m_outlet.deliver(std::move(m_block), core::DeviceState::live);
     }
+    m_counters.oddStamps = m_stamps.zero() + m_stamps.equal() + m_stamps.backward();
     if (m_published.get() != m_counters)
         m_published.set(m_counters);
 }
@@ -150,11 +152,10 @@ double RosArray::sourceTime_s(const ros::Time* stamp, std::int64_t read_ns) {
     if (m_counters.frames == 1)
         step_s = 0.0;
     if (stamp != nullptr) {
+        m_stamps.see(*stamp);
         const double told_s = ros::seconds(*stamp);
         if (m_lastStamp_s && told_s > *m_lastStamp_s)
             step_s = told_s - *m_lastStamp_s;
-        if (told_s == 0.0 || (m_lastStamp_s && told_s <= *m_lastStamp_s))
-            ++m_counters.oddStamps;
         m_lastStamp_s = told_s == 0.0 ? std::nullopt : std::optional(told_s);
     }
     m_time_s += step_s;

@@ -76,6 +76,7 @@ private:
     std::vector<float> m_loads;
     core::SampleBlock m_block; ///< what one look at the topic brings
     std::string m_misfit;      ///< why the newest message is no frame; empty: it is one
+    ros::StampCheck m_stamps;
     std::optional<double> m_lastStamp_s;
     std::int64_t m_last_ns = 0; ///< of the read of the last frame, or of the start
     double m_time_s = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/ros/array/ros_array_file.h"
 
-#include "devices/ros/ros_file_keys.h"
+#include "devices/ros/files/ros_file_keys.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 #include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -8,8 +8,8 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/failure.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
+#include "devices/ros/files/ros_arm_file.h"
 #include "devices/ros/ros_arm.h"
-#include "devices/ros/ros_arm_file.h"
 #include "devices/site/site_streams.h"
 
 #include <QCoreApplication>

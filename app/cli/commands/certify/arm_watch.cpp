@@ -12,7 +12,7 @@
 #include "devices/dds/endpoint.h"
 #include "devices/dds/participant.h"
 #include "devices/dds/wait_set.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 
 #include <QCoreApplication>
 

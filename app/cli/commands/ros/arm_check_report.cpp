@@ -5,7 +5,7 @@
 #include "app/cli/base/interruption.h"
 #include "backend/core/failure.h"
 #include "devices/ros/arm_check.h"
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 
 #include <QCoreApplication>
 

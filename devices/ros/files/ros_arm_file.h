@@ -4,7 +4,7 @@
 #include "backend/arm_model/motion_limits.h"
 #include "backend/core/error.h"
 #include "devices/dds/domain_config.h"
-#include "devices/ros/ros_wrench_file.h"
+#include "devices/ros/files/ros_wrench_file.h"
 
 #include <map>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/ros/ros_file_keys.h"
+#include "devices/ros/files/ros_file_keys.h"
 
 #include "backend/ros/topic_names.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/ros/ros_wrench_file.h"
+#include "devices/ros/files/ros_wrench_file.h"
 
-#include "devices/ros/ros_file_keys.h"
+#include "devices/ros/files/ros_file_keys.h"
 
 #include <QCoreApplication>
 

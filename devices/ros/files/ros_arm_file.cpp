@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/ros/ros_arm_file.h"
+#include "devices/ros/files/ros_arm_file.h"
 
 #include "backend/core/beside_file.h"
 #include "backend/core/device/joint_vector.h"
 #include "backend/core/keys/keys.h"
 #include "backend/core/keys/toml_table.h"
-#include "devices/ros/ros_file_keys.h"
+#include "devices/ros/files/ros_file_keys.h"
 
 #include <QCoreApplication>
 
