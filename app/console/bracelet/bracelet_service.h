@@ -125,7 +125,7 @@ public:
     /// The clock of the site whose arm is shown; empty: an arm here, or its clock is not known yet.
     void setSiteClock(const std::optional<site::ClockOffset>& clock) { m_siteClock = clock; }
     /// The newest recognition while a map was set.
-    [[nodiscard]] const std::optional<TouchReceipt>& lastEvent() const { return m_touchToSkin.last(); }
+    [[nodiscard]] const TouchReceipt* lastEvent() const { return m_touchToSkin.last(); }
 
 signals:
     void chosen(BraceletChoice choice);

@@ -2,6 +2,7 @@
 #include "app/console/bracelet/feedback_panel.h"
 
 #include "backend/pattern/model/built_in_patterns.h"
+#include "widgets/base/background.h"
 #include "widgets/base/compose.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
@@ -32,10 +33,8 @@ QString timeText(double time_s) {
 }
 
 /// With the bound of another clock.
-QString timeText(double time_s, const std::optional<site::ClockOffset>& clock) {
-    return clock ? QStringLiteral("%1 ± %2").arg(timeText(time_s),
-                                                 timeText(static_cast<double>(clock->bound_ns) * 1e-9))
-                 : timeText(time_s);
+QString timeText(double time_s, const std::optional<double>& bound_s) {
+    return bound_s ? QStringLiteral("%1 ± %2").arg(timeText(time_s), timeText(*bound_s)) : timeText(time_s);
 }
 
 } // namespace
@@ -191,20 +190,18 @@ void FeedbackPanel::writeLast(const TouchReceipt& event) {
                             .arg(touch, what, pattern));
     else if (event.onset_s)
         m_last->setText(tr("Touch %1: %2. %3 was felt %4 later.")
-                            .arg(touch, what, pattern, timeText(*event.onset_s, event.clock)));
+                            .arg(touch, what, pattern, timeText(*event.onset_s, event.clockBound_s())));
     else
         m_last->setText(tr("Touch %1: %2. %3 was sent.").arg(touch, what, pattern));
     m_last->setToolTip(stagesOf(event));
 }
 
 QString FeedbackPanel::stagesOf(const TouchReceipt& receipt) const {
-    QStringList lines{
-        tr("Read: %1")
-            .arg(receipt.clock ? tr("by the clock of the site, known to ± %1")
-                                     .arg(timeText(static_cast<double>(receipt.clock->bound_ns) * 1e-9))
-                               : tr("by the clock of this computer")),
-        tr("Evaluated: %1 later")
-            .arg(timeText(static_cast<double>(receipt.sent.sent_ns - receipt.sent.felt_ns) * 1e-9))};
+    const std::optional<double> bound_s = receipt.clockBound_s();
+    QStringList lines{tr("Read: %1")
+                          .arg(bound_s ? tr("by the clock of the site, known to ± %1").arg(timeText(*bound_s))
+                                       : tr("by the clock of this computer")),
+                      tr("Evaluated: %1 later").arg(timeText(receipt.evaluated_s()))};
     if (receipt.begin_s)
         lines << tr("First frame to the bracelet: %1 later").arg(timeText(*receipt.begin_s));
     if (receipt.onset_s)
@@ -213,11 +210,16 @@ QString FeedbackPanel::stagesOf(const TouchReceipt& receipt) const {
 }
 
 void FeedbackPanel::saveReceipts(const QString& path) {
-    const std::deque<TouchReceipt>& receipts = m_station.receipts();
-    const auto saved =
-        writeReceipts(path.toStdString(), std::vector<TouchReceipt>(receipts.begin(), receipts.end()));
-    if (!saved)
-        emit failed(QString::fromStdString(core::describe(saved.error())));
+    const std::deque<TouchReceipt>& known = m_station.receipts();
+    base::runInBackground(
+        this,
+        [path = path.toStdString(), receipts = std::vector<TouchReceipt>(known.begin(), known.end())] {
+            return writeReceipts(path, receipts);
+        },
+        [this](const core::Expected<void>& saved) {
+            if (!saved)
+                emit failed(QString::fromStdString(core::describe(saved.error())));
+        });
 }
 
 void FeedbackPanel::showLatency() {

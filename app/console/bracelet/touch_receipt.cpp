@@ -36,16 +36,12 @@ core::Expected<void> writeReceipts(const std::string& path, std::span<const Touc
                                     "evaluated_s,first_frame_s,felt_s"));
     for (const TouchReceipt& receipt : receipts) {
         std::optional<long long> siteRead_ns;
-        std::optional<double> bound_s;
-        if (receipt.clock) {
+        if (receipt.clock)
             siteRead_ns = receipt.sent.felt_ns + receipt.clock->offset_ns;
-            bound_s = static_cast<double>(receipt.clock->bound_ns) * 1e-9;
-        }
-        const double evaluated_s = static_cast<double>(receipt.sent.sent_ns - receipt.sent.felt_ns) * 1e-9;
         file.row(static_cast<long long>(receipt.sent.touch), recognisedIn(receipt.sent),
                  std::string_view(receipt.sent.patternId), outcomeOf(receipt),
-                 static_cast<long long>(receipt.sent.felt_ns), siteRead_ns, bound_s, evaluated_s,
-                 receipt.begin_s, receipt.onset_s);
+                 static_cast<long long>(receipt.sent.felt_ns), siteRead_ns, receipt.clockBound_s(),
+                 receipt.evaluated_s(), receipt.begin_s, receipt.onset_s);
     }
     return file.finish();
 }

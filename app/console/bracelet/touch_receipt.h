@@ -20,6 +20,15 @@ struct TouchReceipt {
     /// Of a touch at a site: what was known of its clock. The times here are off by at most its bound, since
     /// the sample was read by that clock. Empty: one clock, this computer's.
     std::optional<site::ClockOffset> clock{};
+
+    /// Empty: one clock.
+    [[nodiscard]] std::optional<double> clockBound_s() const {
+        return clock ? std::optional(static_cast<double>(clock->bound_ns) * 1e-9) : std::nullopt;
+    }
+    /// From the read to its evaluation.
+    [[nodiscard]] double evaluated_s() const {
+        return static_cast<double>(sent.sent_ns - sent.felt_ns) * 1e-9;
+    }
 };
 
 /// Writes receipts as CSV, one row each: touch, recognised, pattern, outcome (played, sent, missing, refused,

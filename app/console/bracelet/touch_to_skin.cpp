@@ -10,35 +10,35 @@
 namespace teleta::console {
 
 void TouchToSkin::begin(pipeline::FeedbackSent sent, const std::optional<site::ClockOffset>& clock) {
-    m_last = TouchReceipt{.sent = std::move(sent), .clock = clock};
-    m_receipts.push_back(*m_last);
+    m_receipts.push_back({.sent = std::move(sent), .clock = clock});
     if (m_receipts.size() > kReceipts)
         m_receipts.pop_front();
+    m_isKnown = true;
 }
 
 bool TouchToSkin::isOpen() const {
-    return m_last && !m_last->onset_s && !m_last->sent.patternId.empty() && !m_last->sent.missing &&
-           !m_last->sent.refused;
+    const TouchReceipt* touch = last();
+    return touch != nullptr && !touch->onset_s && !touch->sent.patternId.empty() && !touch->sent.missing &&
+           !touch->sent.refused;
 }
 
 bool TouchToSkin::update(const playback::PlayerCounters& counters) {
     if (!isOpen())
         return false;
+    TouchReceipt& touch = m_receipts.back();
     // A frame from before the touch is of another pattern.
-    const auto after_s = [felt_ns = m_last->sent.felt_ns](std::int64_t frame_ns) {
+    const auto after_s = [felt_ns = touch.sent.felt_ns](std::int64_t frame_ns) {
         return frame_ns < felt_ns ? std::nullopt
                                   : std::optional(static_cast<double>(frame_ns - felt_ns) * 1e-9);
     };
-    const bool began = m_last->begin_s.has_value();
-    if (!began && (m_last->begin_s = after_s(counters.firstFrame_ns))) {
-        const auto bound_ns = m_last->clock ? m_last->clock->bound_ns : std::int64_t{0};
-        m_begun.push_back({*m_last->begin_s, static_cast<double>(bound_ns) * 1e-9});
+    const bool began = touch.begin_s.has_value();
+    if (!began && (touch.begin_s = after_s(counters.firstFrame_ns))) {
+        m_begun.push_back({*touch.begin_s, touch.clockBound_s().value_or(0.0)});
         if (m_begun.size() > kLatencies)
             m_begun.erase(m_begun.begin());
     }
-    m_last->onset_s = after_s(counters.onset_ns);
-    m_receipts.back() = *m_last; // it is the newest
-    return m_last->onset_s || m_last->begin_s.has_value() != began;
+    touch.onset_s = after_s(counters.onset_ns);
+    return touch.onset_s || touch.begin_s.has_value() != began;
 }
 
 std::optional<double> TouchToSkin::newest_s() const {

@@ -30,11 +30,12 @@ public:
     /// True when a time of the newest event became known.
     [[nodiscard]] bool update(const playback::PlayerCounters& counters);
     /// The newest event is not known any more; the times are.
-    void forget() { m_last.reset(); }
+    void forget() { m_isKnown = false; }
 
     /// Its times are not all known yet.
     [[nodiscard]] bool isOpen() const;
-    [[nodiscard]] const std::optional<TouchReceipt>& last() const { return m_last; }
+    /// The newest event; null: it is not known any more, or there was none.
+    [[nodiscard]] const TouchReceipt* last() const { return m_isKnown ? &m_receipts.back() : nullptr; }
     /// The newest kReceipts, the oldest first; forget() keeps them.
     [[nodiscard]] const std::deque<TouchReceipt>& receipts() const { return m_receipts; }
     [[nodiscard]] std::optional<double> newest_s() const;
@@ -48,8 +49,8 @@ private:
         double bound_s = 0.0;
     };
 
-    std::optional<TouchReceipt> m_last;
     std::deque<TouchReceipt> m_receipts;
+    bool m_isKnown = false; ///< the newest one still counts
     std::vector<Begun> m_begun;
 };
 
