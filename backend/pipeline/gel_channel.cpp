@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -54,7 +55,7 @@ GelChannel::GelChannel(std::unique_ptr<core::CameraSource> source, vision::Marke
     , m_file(std::move(file))
     , m_description(m_source->description())
     , m_follower(m_file)
-    , m_passedReference(std::move(reference)) {
+    , m_recordedRest(std::move(reference)) {
     m_description.name = m_file.name;
 }
 
@@ -130,6 +131,7 @@ void GelChannel::run(const std::stop_token& stop) {
         core::CameraFrame next;
         bool isNext = m_source->pop(next);
         while (isNext && !stop.stop_requested()) {
+            takeTaps(); // the queue may never be empty
             core::CameraFrame frame = std::move(next);
             next = {};
             isNext = m_source->pop(next);
@@ -146,7 +148,7 @@ void GelChannel::passOver(const core::CameraFrame& frame) {
     recordPicture(frame, partOf(frame, why));
     m_restarts = m_restarts || frame.discontinuity;
     if (!frame.reference.isEmpty())
-        m_passedReference = frame.reference;
+        m_recordedRest = frame.reference;
     m_passedOver += frame.passedOver + 1;
 }
 
@@ -164,6 +166,7 @@ core::GreyImage GelChannel::partOf(const core::CameraFrame& frame, std::string& 
 
 void GelChannel::restart(const core::CameraFrame& frame) {
     const bool isFirst = m_processed.load(std::memory_order_relaxed) == 0;
+    endContacts(idsOf(m_follower.contacts()));
     // Time goes on by at least a frame.
     m_offset_s =
         std::max(core::elapsed_s(m_first_ns, frame.time_ns), m_time_s + kLeastGelPeriod_s) - frame.capture_s;
@@ -181,27 +184,23 @@ void GelChannel::process(core::CameraFrame frame) {
         restart(frame);
     m_time_s = frame.capture_s + m_offset_s;
     m_passedOver += frame.passedOver;
-    const std::int64_t begin_ns = core::steadyNow_ns();
     std::string why;
     const core::GreyImage part = partOf(frame, why);
     recordPicture(frame, part);
+    const std::int64_t begin_ns = core::steadyNow_ns();
     if (m_referenceWanted.exchange(false, std::memory_order_acq_rel))
         m_follower.renewReference();
     const std::size_t references = m_follower.references();
-    const core::GreyImage stack =
-        frame.reference.isEmpty() ? std::exchange(m_passedReference, {}) : frame.reference;
-    m_passedReference = {};
-    if (!stack.isEmpty()) {
-        const auto pictures = unstackedReference(stack, part.width_px, part.height_px);
-        if (!pictures.empty()) {
-            if (const auto taken = m_follower.setReference(viewsOf(pictures)); !taken)
-                why = taken.error().message;
-        }
-    }
+    if (!frame.reference.isEmpty())
+        m_recordedRest = frame.reference;
+    if (!part.isEmpty() && !m_recordedRest.isEmpty())
+        takeRecordedRest(part);
     const std::vector<int> before = idsOf(m_follower.contacts());
     const vision::GelFaults faultsBefore = m_follower.faults();
     m_follower.next(viewOf(part), m_time_s);
+    const std::int64_t work_ns = core::steadyNow_ns() - begin_ns;
     if (m_follower.references() != references) {
+        stackRest();
         addEvent({.kind = Kind::reference, .time_s = m_time_s, .slipIndex = {}});
         recordReference(frame.time_ns);
     }
@@ -213,10 +212,10 @@ void GelChannel::process(core::CameraFrame frame) {
         ++m_unusable;
     m_rate.add(frame.time_ns);
     m_processed.fetch_add(1, std::memory_order_relaxed);
-    publish(frame, begin_ns, why);
+    publish(frame, work_ns, why);
 }
 
-void GelChannel::publish(const core::CameraFrame& frame, std::int64_t begin_ns, const std::string& why) {
+void GelChannel::publish(const core::CameraFrame& frame, std::int64_t work_ns, const std::string& why) {
     GelSnapshot& now = m_snapshots.back();
     now.image = m_lastImage;
     now.time_ns = frame.time_ns;
@@ -240,12 +239,32 @@ void GelChannel::publish(const core::CameraFrame& frame, std::int64_t begin_ns, 
     now.missing = m_follower.missing();
     now.usable = m_follower.usable();
     now.problem = why.empty() ? m_follower.problem() : why;
-    now.work_ns = core::steadyNow_ns() - begin_ns;
+    now.work_ns = work_ns;
     now.processed_Hz = m_rate.rate_Hz(frame.time_ns);
     now.processed = m_processed.load(std::memory_order_relaxed);
     now.passedOver = m_passedOver;
     now.unusable = m_unusable;
     m_snapshots.publish();
+}
+
+void GelChannel::takeRecordedRest(const core::GreyImage& part) {
+    const auto pictures =
+        unstackedReference(std::exchange(m_recordedRest, {}), part.width_px, part.height_px);
+    const std::vector<int> open = idsOf(m_follower.contacts());
+    // The follower tells what is wrong with it.
+    if (m_follower.setReference(viewsOf(pictures)))
+        endContacts(open);
+}
+
+void GelChannel::endContacts(const std::vector<int>& ids) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    for (const int id : ids)
+        addEvent({.kind = Kind::ends,
+                  .time_s = m_time_s,
+                  .contact = id,
+                  .centre_m = {kUnknown, kUnknown},
+                  .shear_m = {kUnknown, kUnknown},
+                  .slipIndex = {}});
 }
 
 void GelChannel::report(const std::vector<int>& before, const vision::GelFaults& faultsBefore) {
@@ -258,17 +277,11 @@ void GelChannel::report(const std::vector<int>& before, const vision::GelFaults&
                         .slipIndex = contact.slipIndex};
     };
     const std::vector<GelContactState>& contacts = m_follower.contacts();
-    for (const int id : before) {
-        if (std::ranges::find(contacts, id, &GelContactState::id) != contacts.end())
-            continue;
-        constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-        addEvent({.kind = Kind::ends,
-                  .time_s = m_time_s,
-                  .contact = id,
-                  .centre_m = {kUnknown, kUnknown},
-                  .shear_m = {kUnknown, kUnknown},
-                  .slipIndex = {}});
-    }
+    std::vector<int> ended;
+    std::ranges::copy_if(before, std::back_inserter(ended), [&contacts](int id) {
+        return std::ranges::find(contacts, id, &GelContactState::id) == contacts.end();
+    });
+    endContacts(ended);
     for (const GelContactState& contact : contacts) {
         if (std::ranges::find(before, contact.id) == before.end())
             addEvent(eventOf(Kind::begins, contact));
@@ -314,13 +327,15 @@ void GelChannel::recordReference(std::int64_t time_ns) {
 }
 
 void GelChannel::recordReference(const std::shared_ptr<const GelTaps>& taps, std::int64_t time_ns) {
-    if (!taps || !m_follower.hasReference())
-        return;
+    if (taps && !m_rest.isEmpty())
+        taps->reference->append({.image = m_rest, .time_ns = time_ns, .capture_s = m_time_s - m_offset_s});
+}
+
+void GelChannel::stackRest() {
     std::vector<core::GreyImage> pictures;
     for (const cv::Mat1b& picture : m_follower.reference())
         pictures.push_back(core::greyImageOf(picture));
-    taps->reference->append(
-        {.image = stackedReference(pictures), .time_ns = time_ns, .capture_s = m_time_s - m_offset_s});
+    m_rest = stackedReference(pictures);
 }
 
 void GelChannel::recordContacts(const core::CameraFrame& frame) {

@@ -69,7 +69,6 @@ public:
     [[nodiscard]] std::uint64_t framesProcessed() const override {
         return m_processed.load(std::memory_order_relaxed);
     }
-    [[nodiscard]] const vision::MarkerGelFile& file() const { return m_file; }
 
     /// Fetches the newest snapshot; true when it changed. Viewer thread.
     bool update() { return m_snapshots.update(); }
@@ -94,7 +93,11 @@ private:
     /// The picture that the file describes; empty: there is none. why: the reason.
     [[nodiscard]] core::GreyImage partOf(const core::CameraFrame& frame, std::string& why) const;
     void report(const std::vector<int>& before, const vision::GelFaults& faultsBefore);
-    void publish(const core::CameraFrame& frame, std::int64_t begin_ns, const std::string& why);
+    void publish(const core::CameraFrame& frame, std::int64_t work_ns, const std::string& why);
+    /// part: a picture with which it comes.
+    void takeRecordedRest(const core::GreyImage& part);
+    void endContacts(const std::vector<int>& ids);
+    void stackRest();
     void addEvent(GelEvent event);
     void takeTaps();
     void recordPicture(const core::CameraFrame& frame, const core::GreyImage& part);
@@ -123,8 +126,9 @@ private:
     std::int64_t m_frame_ns = 0; ///< of the frame at hand
     double m_offset_s = 0.0;     ///< from the source's time to that of the snapshots
     double m_time_s = 0.0;
-    bool m_restarts = false;           ///< a frame that was passed over did not follow from the one before
-    core::GreyImage m_passedReference; ///< of a frame that was passed over, or the one at the start
+    bool m_restarts = false;        ///< a frame that was passed over did not follow from the one before
+    core::GreyImage m_recordedRest; ///< that is still to be taken; empty: none is
+    core::GreyImage m_rest;         ///< the pictures of the one in use, as stackedReference()
     std::uint64_t m_passedOver = 0;
     std::uint64_t m_unusable = 0;
     std::array<std::shared_ptr<const GelTaps>, 1 + kWatchers> m_tapsInUse; ///< the recorder's first

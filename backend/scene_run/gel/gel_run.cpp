@@ -3,6 +3,7 @@
 
 #include "backend/core/data/csv_writer.h"
 #include "backend/core/failure.h"
+#include "backend/recording/event_words.h"
 #include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
 #include "backend/scene_run/gel/scene_gel.h"
@@ -10,6 +11,7 @@
 #include "backend/vision/gel/gel_contact_rows.h"
 #include "backend/vision/gel/gel_follower.h"
 #include "backend/vision/gel/marker_rows.h"
+#include "backend/vision/gel/slip_monitor.h"
 
 #include <QCoreApplication>
 
@@ -35,8 +37,6 @@ using vision::GelContactState;
 constexpr std::uint64_t kPicturesBetweenReports = 8;
 constexpr double kLeastGelDepth_m = 0.0002;
 constexpr double kLeastDrag_m = 0.0001;
-constexpr double kIncipientShare = 0.3;
-constexpr double kSlipShare = 0.8;
 
 /// markers.csv, contacts.csv and truth.csv, or nothing without a folder.
 class GelLog {
@@ -146,9 +146,9 @@ private:
         const double depth_m = truth.radius_m * truth.radius_m / ballRadius_m;
         if (!truth.touches)
             return;
-        if (truth.slipShare >= kIncipientShare)
+        if (truth.slipShare >= vision::kIncipientSlipIndex)
             m_trueIncipient_s = m_trueIncipient_s.value_or(time_s);
-        if (truth.slipShare >= kSlipShare)
+        if (truth.slipShare >= vision::kSlipIndex)
             m_trueSlip_s = m_trueSlip_s.value_or(time_s);
         if (depth_m < kLeastGelDepth_m)
             return;
@@ -191,14 +191,14 @@ void addEvents(double time_s, const std::vector<int>& before, const std::vector<
     };
     for (const int id : before)
         if (std::ranges::find(contacts, id, &GelContactState::id) == contacts.end())
-            add("contact_ends", id);
+            add(recording::kContactEnds, id);
     for (const GelContactState& contact : contacts) {
         if (std::ranges::find(before, contact.id) == before.end())
-            add("contact_begins", contact.id);
+            add(recording::kContactBegins, contact.id);
         if (contact.event == vision::SlipEvent::incipientSlip)
-            add("incipient_slip", contact.id);
+            add(recording::kIncipientSlip, contact.id);
         if (contact.event == vision::SlipEvent::slip)
-            add("slip", contact.id);
+            add(recording::kSlip, contact.id);
     }
 }
 
@@ -247,6 +247,10 @@ core::Expected<SceneSummary> runGelScene(const scene::Scene& scene, const RunOpt
     }
     for (const core::Expected<void>& written : {log.finish(), recording.finish()})
         TELETA_CHECK(written);
+    if (done < vision::MarkerGel::kReferencePictures && !summary.interrupted)
+        return core::refused(
+            GelRunText::tr("the scene ends before the gel at rest is known"),
+            GelRunText::tr("at least %1 pictures").arg(vision::MarkerGel::kReferencePictures));
     if (!follower.hasReference() && !summary.interrupted)
         return core::refused(GelRunText::tr("the gel at rest could not be found: %1")
                                  .arg(QString::fromStdString(follower.problem())));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/gel/gel_follower.h"
 
+#include "backend/core/failure.h"
+
 #include <QCoreApplication>
 
 #include <utility>
@@ -28,7 +30,7 @@ void GelFollower::next(const cv::Mat1b& part, double time_s) {
         collect(part);
     if (m_gel)
         follow(part, time_s);
-    if (m_problem.empty() && m_collects && !m_whyNoReference.empty())
+    if (m_problem.empty() && !m_whyNoReference.empty())
         m_problem = GelFollowerText::tr("The gel at rest cannot be taken: %1")
                         .arg(QString::fromStdString(m_whyNoReference))
                         .toStdString();
@@ -63,11 +65,13 @@ void GelFollower::collect(const cv::Mat1b& part) {
     if (m_collected.size() < MarkerGel::kReferencePictures)
         return;
     const std::vector<cv::Mat1b> collected = std::exchange(m_collected, {});
-    if (const auto taken = setReference(collected); !taken)
-        m_whyNoReference = taken.error().message;
+    (void)setReference(collected); // next() tells why not
 }
 
 core::Expected<MarkerGel> GelFollower::made(std::span<const cv::Mat1b> parts) const {
+    if (parts.empty())
+        return core::refused(GelFollowerText::tr(
+            "The recorded pictures of the gel at rest have another size than the video."));
     std::vector<cv::Mat1b> pictures;
     pictures.reserve(parts.size());
     for (const cv::Mat1b& part : parts)
@@ -76,8 +80,12 @@ core::Expected<MarkerGel> GelFollower::made(std::span<const cv::Mat1b> parts) co
 }
 
 core::Expected<void> GelFollower::setReference(std::span<const cv::Mat1b> parts) {
-    TELETA_TRY(MarkerGel gel, made(parts));
-    take(std::move(gel), parts);
+    core::Expected<MarkerGel> gel = made(parts);
+    if (!gel) {
+        m_whyNoReference = gel.error().message;
+        return core::Unexpected(gel.error());
+    }
+    take(std::move(*gel), parts);
     return {};
 }
 

@@ -28,8 +28,8 @@ public:
 
     /// The next picture. time_s: rises.
     void next(const cv::Mat1b& part, double time_s);
-    /// The gel at rest, from pictures taken earlier; at least one. Error: as MarkerGel::make(); then the rest
-    /// is as before.
+    /// The gel at rest, from pictures taken earlier. Error: as MarkerGel::make(), or there are none; then the
+    /// rest is as before, and problem() says so until one is taken.
     [[nodiscard]] core::Expected<void> setReference(std::span<const cv::Mat1b> parts);
     /// The next pictures show the gel with nothing touching it. Until there are enough, and they show it, the
     /// former rest holds.
@@ -37,7 +37,6 @@ public:
     /// The next picture does not follow from the last one.
     void forget();
 
-    [[nodiscard]] const MarkerGelFile& file() const { return m_file; }
     [[nodiscard]] bool hasReference() const { return m_gel.has_value(); }
     /// How often the rest was taken.
     [[nodiscard]] std::size_t references() const { return m_references; }

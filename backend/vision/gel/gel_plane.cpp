@@ -24,6 +24,7 @@ struct PlaneText {
 };
 
 constexpr double kMmPerM = 1000.0;
+
 tl::expected<CameraModel, CameraModel::Refusal> lensOf(const MarkerGelFile::Lens& lens, int width_px,
                                                        int height_px) {
     CameraParameters camera;

@@ -14,8 +14,6 @@ constexpr std::size_t kLeastPlaces = 5;
 constexpr std::size_t kMostProposals = 600;
 constexpr double kNoises = 3.0;
 constexpr double kShareOfMotion = 0.05;
-constexpr double kPartly = 0.3;
-constexpr double kWholly = 0.8;
 constexpr double kOver = 0.2;
 constexpr double kFallen = 0.8;
 constexpr int kFrames = 2;
@@ -124,8 +122,8 @@ SlipEvent SlipMonitor::next(std::optional<double> index, const Eigen::Vector2d& 
     const bool fell = m_peak_m > kLeastPeak * noise_m && shear < kFallen * m_peak_m &&
                       rimMoved_m.dot(shear_m) > kNoises * noise_m * shear;
     if (index) {
-        m_partly = *index >= kPartly ? m_partly + 1 : 0;
-        m_wholly = *index >= kWholly ? m_wholly + 1 : 0;
+        m_partly = *index >= kIncipientSlipIndex ? m_partly + 1 : 0;
+        m_wholly = *index >= kSlipIndex ? m_wholly + 1 : 0;
         if (*index < kOver)
             m_toldPartly = m_toldWholly = false;
     }

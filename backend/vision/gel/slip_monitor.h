@@ -30,11 +30,16 @@ struct SharedMotion {
 /// than five places: what sticks cannot be told from what slips. Thread: any (pure).
 [[nodiscard]] std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, double noise_m);
 
+/// Slip indices from which a contact begins to slip, and slips.
+inline constexpr double kIncipientSlipIndex = 0.3;
+inline constexpr double kSlipIndex = 0.8;
+
 enum class SlipEvent { none, incipientSlip, slip };
 
-/// Says when a contact slips. incipientSlip: the slip index is at least 0.3 for two frames. slip: it is at
-/// least 0.8 for two frames, or the shear has fallen by 20 % from its peak while the rim goes on moving the
-/// way of the shear. Each is told once until the index is below 0.2 again. Thread: one.
+/// Says when a contact slips. incipientSlip: the slip index is at least kIncipientSlipIndex for two frames.
+/// slip: it is at least kSlipIndex for two frames, or the shear has fallen by 20 % from its peak while the
+/// rim goes on moving the way of the shear. Each is told once until the index is below 0.2 again. Thread:
+/// one.
 class SlipMonitor {
 public:
     /// index: nothing when it is undefined, which counts as no frame. shear_m: of the contact. rimMoved_m:

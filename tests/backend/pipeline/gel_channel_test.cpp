@@ -235,6 +235,7 @@ TEST_F(LiveGel, afterACutContactsAreNewAndTheRestHolds) {
     m_capture_s = 0.0; // a camera that was connected again counts anew
     give(drawn(kDragged), true);
     EXPECT_EQ(eventsOf(GelEvent::Kind::restart), 1);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::ends), 1) << "the contact before the cut";
     EXPECT_GT(snapshot().time_s, before_s);
     ASSERT_EQ(snapshot().contacts.size(), 1U);
     EXPECT_EQ(snapshot().contacts.front().id, 2);
@@ -311,6 +312,8 @@ TEST_F(LiveGel, beginsWithTheRestThatARecordingHas) {
     m_rest = pipeline::stackedReference(quiet);
     m_channel->stop();
     open(gelFile());
+    give({}); // a picture that cannot be decoded takes no rest away
+    EXPECT_FALSE(snapshot().hasReference());
     show(kDragged);
     EXPECT_TRUE(snapshot().hasReference());
     EXPECT_EQ(eventsOf(GelEvent::Kind::reference), 1);
@@ -327,6 +330,10 @@ TEST_F(LiveGel, beginsWithTheRestThatARecordingHas) {
         m_channel->update();
     }
     EXPECT_TRUE(snapshot().contacts.empty());
+    GelEvent event;
+    while (m_channel->popEvent(event))
+        m_events.push_back(event);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::ends), 1);
 }
 
 TEST_F(LiveGel, tellsARestThatShowsNoGelAndTakesTheFirstPictures) {
@@ -335,9 +342,19 @@ TEST_F(LiveGel, tellsARestThatShowsNoGelAndTakesTheFirstPictures) {
     open(gelFile());
     show();
     EXPECT_NE(snapshot().problem.find("black"), std::string::npos) << snapshot().problem;
-    show({}, kRest - 1);
+    show();
+    EXPECT_NE(snapshot().problem.find("black"), std::string::npos) << "as long as it holds";
+    show({}, kRest - 2);
     EXPECT_TRUE(snapshot().hasReference());
     EXPECT_TRUE(snapshot().problem.empty()) << snapshot().problem;
+}
+
+TEST_F(LiveGel, tellsARestOfAnotherSize) {
+    m_rest = core::greyImageOf(cv::Mat1b(100, 100, std::uint8_t{50}));
+    m_channel->stop();
+    open(gelFile());
+    show({}, 2);
+    EXPECT_NE(snapshot().problem.find("another size"), std::string::npos) << snapshot().problem;
 }
 
 TEST(RecordedGel, unstacksOnlyWhatWasStacked) {

@@ -2,6 +2,7 @@
 #include "widgets/camera/gel/gel_picture.h"
 
 #include "backend/vision/gel/marker_rows.h"
+#include "backend/vision/gel/slip_monitor.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
@@ -121,9 +122,9 @@ QColor GelPicture::slipColour(const GelContactState& contact) {
     const base::StatusColours& colours = base::statusColours(base::designedPalette(true));
     if (!contact.slipIndex)
         return colours.neutral;
-    return *contact.slipIndex >= kSlips       ? colours.lost
-           : *contact.slipIndex >= kIncipient ? colours.stale
-                                              : colours.live;
+    return *contact.slipIndex >= vision::kSlipIndex            ? colours.lost
+           : *contact.slipIndex >= vision::kIncipientSlipIndex ? colours.stale
+                                                               : colours.live;
 }
 
 QString GelPicture::wordsFor(const GelContactState& contact) {

@@ -26,9 +26,6 @@ class GelPicture {
 public:
     /// Displacements below so many standard deviations of a marker's place have no arrow.
     static constexpr double kLeastArrow = 3.0;
-    /// Slip indices from which the contact begins to slip, and slips: as vision::SlipMonitor tells them.
-    static constexpr double kIncipient = 0.3;
-    static constexpr double kSlips = 0.8;
 
     pipeline::GelSnapshot shown;
     base::Provenance provenance = base::Provenance::live;

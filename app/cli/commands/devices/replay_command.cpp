@@ -221,6 +221,8 @@ private:
         core::DeviceStatus status;
         long long done = 0;
         std::uint64_t lost = 0; // to a follower that is slower than the playing
+        long long unusable = 0;
+        std::string problem; // the last one
         for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
             status = camera.status();
             ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
@@ -234,8 +236,13 @@ private:
                     follower.forget();
                 if (!frame.reference.isEmpty())
                     reference = frame.reference;
-                takeReference(follower, std::exchange(reference, {}), frame.image);
+                if (!frame.image.isEmpty() && !reference.isEmpty())
+                    takeReference(follower, std::exchange(reference, {}), frame.image);
                 follower.next(vision::viewOf(frame.image), frame.capture_s);
+                if (follower.hasReference() && !follower.usable())
+                    ++unusable;
+                if (!follower.problem().empty())
+                    problem = follower.problem();
                 for (const vision::GelContactState& contact : follower.contacts())
                     vision::writeGelContact(rows, static_cast<long long>(frame.number), frame.capture_s,
                                             contact);
@@ -245,6 +252,14 @@ private:
         }
         camera.stop();
         progress.erase();
+        if (!follower.hasReference())
+            warn(ReplayText::tr("The gel at rest could not be found, so there are no contacts. %1")
+                     .arg(QString::fromStdString(problem)));
+        else if (unusable > 0)
+            warn(ReplayText::tr("%1 of %2 frames could not be used. The last reason: %3")
+                     .arg(unusable)
+                     .arg(done)
+                     .arg(QString::fromStdString(problem)));
         return finish(rows, camera, status, lost + status.framesLost);
     }
 
@@ -255,8 +270,6 @@ private:
         const auto pictures = pipeline::unstackedReference(stack, picture.width_px, picture.height_px);
         for (const core::GreyImage& part : pictures)
             parts.push_back(vision::viewOf(part));
-        if (parts.empty())
-            return;
         if (const auto taken = follower.setReference(parts); !taken)
             warn(QString::fromStdString(taken.error().message));
     }

@@ -113,10 +113,6 @@ void GelStage::next(cv::Mat1b& picture) {
     again(picture);
 }
 
-void GelStage::untouched(cv::Mat1b& picture) {
-    m_renderer.draw(m_renderer.rest_px(), picture);
-}
-
 void GelStage::again(cv::Mat1b& picture) {
     m_renderer.draw(m_places_px, picture);
 }

@@ -42,8 +42,6 @@ public:
 
     /// Moves on by one picture, and takes it.
     void next(cv::Mat1b& picture);
-    /// A picture of the gel with nothing touching it; moves nothing.
-    void untouched(cv::Mat1b& picture);
     /// A picture as it is; moves nothing.
     void again(cv::Mat1b& picture);
     /// Begins anew: the balls are where they were at the start. Noise goes on.
