@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace teleta::pipeline {
@@ -32,26 +31,13 @@ core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Re
     vision::BumpDetector::Settings bump;
     bump.speed_mPerS = reader.number(reader.root(), "bump_speed_m_per_s", 1e-9, kLargest, bump.speed_mPerS);
     bump.depth_m = reader.number(reader.root(), "bump_depth_m", 1e-9, kLargest, bump.depth_m);
-    const std::string reference = reader.text(reader.root(), "reference_stream", {});
-    const bool simulated = reader.boolean(reader.root(), "simulated", false);
+    RecordedPictures pictures = readPictures(recording, number, reader);
     if (reader.error())
         return notDescribed(stream, recording.path(), *reader.error());
     auto model = vision::parseCamera(camera.dump(), recording.path());
     if (!model)
         return notDescribed(stream, recording.path(), model.error());
-    RecordedCamera found{.stream = number,
-                         .description = {.name = stream.source,
-                                         .nominalRate_Hz = stream.nominalRate_Hz,
-                                         .simulated = simulated,
-                                         .recorded = true},
-                         .camera = std::move(model->camera),
-                         .bump = bump,
-                         .referenceStream = {}};
-    const auto& streams = recording.streams();
-    const auto named = std::ranges::find(streams, reference, &recording::StreamInfo::name);
-    if (named != streams.end() && named->type == recording::ValueType::grey8)
-        found.referenceStream = static_cast<std::size_t>(named - streams.begin());
-    return std::optional(std::move(found));
+    return RecordedCamera{std::move(pictures), std::move(model->camera), bump};
 }
 
 } // namespace
@@ -112,22 +98,7 @@ std::array<double, kContactValues> contactValues(const vision::FollowedContact& 
 
 core::Expected<std::vector<RecordedCamera>> recordedCameras(const recording::Recording& recording,
                                                             std::optional<core::Error>& why) {
-    std::vector<RecordedCamera> cameras;
-    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
-        if (recording.streams()[i].type != recording::ValueType::grey8)
-            continue;
-        auto camera = recordedCamera(recording, i);
-        if (!camera) {
-            why = why.value_or(camera.error());
-            continue;
-        }
-        if (!*camera)
-            continue;
-        TELETA_TRY(const auto extent, recording.extent(i));
-        if (extent)
-            cameras.push_back(std::move(**camera));
-    }
-    return cameras;
+    return allPictures<RecordedCamera>(recording, why, recordedCamera);
 }
 
 core::Expected<core::GreyImage> firstReference(const recording::Recording& recording,

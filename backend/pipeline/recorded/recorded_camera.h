@@ -3,6 +3,7 @@
 
 #include "backend/core/device/camera_source.h"
 #include "backend/core/error.h"
+#include "backend/pipeline/recorded/recorded_pictures.h"
 #include "backend/recording/recording.h"
 #include "backend/recording/recording_types.h"
 #include "backend/vision/camera/cylinder_projection.h"
@@ -39,12 +40,9 @@ inline constexpr std::size_t kContactValues = 10;
 [[nodiscard]] std::array<double, kContactValues> contactValues(const vision::FollowedContact& followed);
 
 /// A camera of a recording.
-struct RecordedCamera {
-    std::size_t stream = 0; ///< number in the recording
-    core::CameraDescription description;
+struct RecordedCamera : RecordedPictures {
     vision::CylinderCamera camera;
     vision::BumpDetector::Settings bump;
-    std::optional<std::size_t> referenceStream; ///< empty: the first picture is the reference
 };
 
 /// Every camera of a recording, in its order; one without a picture and one that is not described are left

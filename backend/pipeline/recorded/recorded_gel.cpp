@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -28,25 +27,13 @@ core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recordin
     const std::string text = reader.text(reader.root(), "marker_gel", {});
     if (text.empty())
         return std::optional<RecordedGel>();
-    const std::string reference = reader.text(reader.root(), "reference_stream", {});
-    const bool simulated = reader.boolean(reader.root(), "simulated", false);
+    RecordedPictures pictures = readPictures(recording, stream, reader);
     if (reader.error())
         return notDescribed(info, recording.path(), *reader.error());
     auto file = vision::parseMarkerGel(text, recording.path());
     if (!file)
         return notDescribed(info, recording.path(), file.error());
-    RecordedGel found{.stream = stream,
-                      .description = {.name = info.source,
-                                      .nominalRate_Hz = info.nominalRate_Hz,
-                                      .simulated = simulated,
-                                      .recorded = true},
-                      .file = std::move(*file),
-                      .referenceStream = {}};
-    const auto& streams = recording.streams();
-    const auto named = std::ranges::find(streams, reference, &recording::StreamInfo::name);
-    if (named != streams.end() && named->type == recording::ValueType::grey8)
-        found.referenceStream = static_cast<std::size_t>(named - streams.begin());
-    return std::optional(std::move(found));
+    return RecordedGel{std::move(pictures), std::move(*file)};
 }
 
 } // namespace
@@ -123,22 +110,7 @@ std::vector<core::GreyImage> unstackedReference(const core::GreyImage& stack, in
 
 core::Expected<std::vector<RecordedGel>> recordedGels(const recording::Recording& recording,
                                                       std::optional<core::Error>& why) {
-    std::vector<RecordedGel> gels;
-    for (std::size_t i = 0; i < recording.streams().size(); ++i) {
-        if (recording.streams()[i].type != recording::ValueType::grey8)
-            continue;
-        auto gel = recordedGel(recording, i);
-        if (!gel) {
-            why = why.value_or(gel.error());
-            continue;
-        }
-        if (!*gel)
-            continue;
-        TELETA_TRY(const auto extent, recording.extent(i));
-        if (extent)
-            gels.push_back(std::move(**gel));
-    }
-    return gels;
+    return allPictures<RecordedGel>(recording, why, recordedGel);
 }
 
 } // namespace teleta::pipeline

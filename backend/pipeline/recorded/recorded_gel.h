@@ -3,6 +3,7 @@
 
 #include "backend/core/device/camera_source.h"
 #include "backend/core/error.h"
+#include "backend/pipeline/recorded/recorded_pictures.h"
 #include "backend/recording/recording.h"
 #include "backend/recording/recording_types.h"
 #include "backend/vision/gel/gel_contacts.h"
@@ -42,11 +43,8 @@ inline constexpr std::size_t kGelContactValues = 9;
                                                               int height_px);
 
 /// A gel of a recording.
-struct RecordedGel {
-    std::size_t stream = 0; ///< number in the recording
-    core::CameraDescription description;
+struct RecordedGel : RecordedPictures {
     vision::MarkerGelFile file;
-    std::optional<std::size_t> referenceStream; ///< empty: the first pictures show the gel at rest
 };
 
 /// Every gel of a recording, in its order; one without a picture and one that is not described are left out.

@@ -220,19 +220,23 @@ core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
     return found;
 }
 
+/// What a camera or a video said of its pictures.
+void takePictures(const camera::CameraProbe& probe, FoundDevice& found) {
+    if (probe.measuredRate_Hz)
+        found.frameRate_Hz = probe.measuredRate_Hz;
+    else if (probe.nominalRate_Hz > 0.0)
+        found.frameRate_Hz = probe.nominalRate_Hz;
+    found.values = {{"width", static_cast<double>(probe.width_px), "px"},
+                    {"height", static_cast<double>(probe.height_px), "px"}};
+}
+
 core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document) {
     TELETA_TRY(const CameraFile file, core::readKeys<CameraFile>(document));
     FoundDevice found{.kind = "camera", .name = file.name, .where = file.source};
     const auto probe = camera::probeCamera(file.source, file.width_px, file.height_px, file.rate_Hz);
     found.error = errorOf(probe);
-    if (probe) {
-        if (probe->measuredRate_Hz)
-            found.frameRate_Hz = probe->measuredRate_Hz;
-        else if (probe->nominalRate_Hz > 0.0)
-            found.frameRate_Hz = probe->nominalRate_Hz;
-        found.values = {{"width", static_cast<double>(probe->width_px), "px"},
-                        {"height", static_cast<double>(probe->height_px), "px"}};
-    }
+    if (probe)
+        takePictures(*probe, found);
     return found;
 }
 
@@ -275,12 +279,7 @@ core::Expected<FoundDevice> probeGel(const std::string& path) {
     found.error = errorOf(probe);
     if (!probe)
         return found;
-    if (probe->measuredRate_Hz)
-        found.frameRate_Hz = probe->measuredRate_Hz;
-    else if (probe->nominalRate_Hz > 0.0)
-        found.frameRate_Hz = probe->nominalRate_Hz;
-    found.values = {{"width", static_cast<double>(probe->width_px), "px"},
-                    {"height", static_cast<double>(probe->height_px), "px"}};
+    takePictures(*probe, found);
     const auto frames = firstFrames(file, source);
     if (!frames || frames->empty()) {
         found.error = errorOf(frames);

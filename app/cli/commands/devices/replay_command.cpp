@@ -24,12 +24,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -145,122 +147,104 @@ private:
         return config;
     }
 
-    [[nodiscard]] core::Expected<void> replayCamera(const recording::Recording& recording,
-                                                    const pipeline::RecordedCamera& source) {
+    /// Plays the pictures of a stream: take(rows, frame) for each, end(frames) after the last one.
+    template <std::size_t kColumns, typename Take, typename End>
+    [[nodiscard]] core::Expected<void>
+    replayPictures(const recording::Recording& recording, const pipeline::RecordedPictures& source,
+                   const std::array<std::string_view, kColumns>& columns, Take take, End end) {
         if (m_threshold)
             refuse("--threshold", ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
                                       .arg(QString::fromStdString(recording.streams()[source.stream].name)));
+        replay::RecordedConfig config = configOf(source.stream);
+        config.camera = source.description;
+        config.referenceStream = source.referenceStream;
+        TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
+        TELETA_TRY(RowOutput rows, RowOutput::open(columns, m_output));
+
+        core::Wakeup data;
+        replay::RecordedCamera camera(player);
+        ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
+        camera.start(data);
+        core::DeviceStatus status;
+        long long done = 0;
+        std::uint64_t lost = 0; // to what takes them, where it is slower than the playing
+        for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
+            status = camera.status();
+            ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
+            if (!ended)
+                data.waitFor(kIdle);
+            core::CameraFrame frame;
+            while (!interrupted() && camera.pop(frame)) {
+                ++done;
+                lost += frame.passedOver;
+                take(rows, frame);
+                rows.flushIfDue();
+                progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
+            }
+        }
+        camera.stop();
+        progress.erase();
+        end(done);
+        return finish(rows, camera, status, lost + status.framesLost);
+    }
+
+    [[nodiscard]] core::Expected<void> replayCamera(const recording::Recording& recording,
+                                                    const pipeline::RecordedCamera& source) {
         TELETA_TRY(auto finder, vision::makeContactFinder(vision::contactLadder().front(), source.camera));
         vision::CameraTracker tracker(std::move(finder), {.identities = {}, .bump = source.bump});
         TELETA_TRY(const auto reference, pipeline::firstReference(recording, source.referenceStream));
         if (!reference.isEmpty()) {
             TELETA_CHECK(tracker.next(vision::viewOf(reference), 0.0));
         }
-        replay::RecordedConfig config = configOf(source.stream);
-        config.camera = source.description;
-        config.referenceStream = source.referenceStream;
-        TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
-        TELETA_TRY(RowOutput rows, RowOutput::open(vision::kContactColumns, m_output));
-
-        core::Wakeup data;
-        replay::RecordedCamera camera(player);
-        ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
-        camera.start(data);
-        core::DeviceStatus status;
         // The reference, wherever it is kept, is frame 0.
         const long long first = reference.isEmpty() ? 0 : 1;
-        long long done = 0;
-        std::uint64_t lost = 0; // to a finder that is slower than the playing
-        for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
-            status = camera.status();
-            ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
-            if (!ended)
-                data.waitFor(kIdle);
-            core::CameraFrame frame;
-            while (!interrupted() && camera.pop(frame)) {
-                ++done;
-                lost += frame.passedOver;
-                if (frame.discontinuity && tracker.hasReference())
-                    tracker.forget();
-                if (!frame.reference.isEmpty()) {
-                    tracker.renewReference();
-                    (void)tracker.next(vision::viewOf(frame.reference), frame.capture_s); // counted by it
-                }
-                const auto contacts = tracker.next(vision::viewOf(frame.image), frame.capture_s);
-                if (!contacts)
-                    continue; // counted by the tracker
+        const auto take = [&](RowOutput& rows, const core::CameraFrame& frame) {
+            if (frame.discontinuity && tracker.hasReference())
+                tracker.forget();
+            if (!frame.reference.isEmpty()) {
+                tracker.renewReference();
+                (void)tracker.next(vision::viewOf(frame.reference), frame.capture_s); // counted by it
+            }
+            // One that cannot be used is counted by the tracker.
+            if (const auto contacts = tracker.next(vision::viewOf(frame.image), frame.capture_s))
                 writeContacts(rows, first + static_cast<long long>(frame.number), frame.capture_s, tracker,
                               *contacts);
-                rows.flushIfDue();
-                progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
-            }
-        }
-        camera.stop();
-        progress.erase();
-        warnOfUnusableFrames(tracker);
-        return finish(rows, camera, status, lost + status.framesLost);
+        };
+        return replayPictures(recording, source, vision::kContactColumns, take,
+                              [&tracker](long long) { warnOfUnusableFrames(tracker); });
     }
 
     [[nodiscard]] core::Expected<void> replayGel(const recording::Recording& recording,
                                                  const pipeline::RecordedGel& source) {
-        if (m_threshold)
-            refuse("--threshold", ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
-                                      .arg(QString::fromStdString(recording.streams()[source.stream].name)));
         TELETA_TRY(core::GreyImage reference, pipeline::firstReference(recording, source.referenceStream));
-        replay::RecordedConfig config = configOf(source.stream);
-        config.camera = source.description;
-        config.referenceStream = source.referenceStream;
-        TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
-        TELETA_TRY(RowOutput rows, RowOutput::open(vision::kGelContactColumns, m_output));
-
-        core::Wakeup data;
-        replay::RecordedCamera camera(player);
         vision::GelFollower follower(source.file);
-        ProgressBar progress(ProgressBar::Unit::frames, rows.onTerminal());
-        camera.start(data);
-        core::DeviceStatus status;
-        long long done = 0;
-        std::uint64_t lost = 0; // to a follower that is slower than the playing
         long long unusable = 0;
         std::string problem; // the last one
-        for (bool ended = false; !ended && !interrupted() && !rows.failed();) {
-            status = camera.status();
-            ended = status.state == core::DeviceState::finished || status.state == core::DeviceState::lost;
-            if (!ended)
-                data.waitFor(kIdle);
-            core::CameraFrame frame;
-            while (!interrupted() && camera.pop(frame)) {
-                ++done;
-                lost += frame.passedOver;
-                if (frame.discontinuity)
-                    follower.forget();
-                if (!frame.reference.isEmpty())
-                    reference = frame.reference;
-                if (!frame.image.isEmpty() && !reference.isEmpty())
-                    takeReference(follower, std::exchange(reference, {}), frame.image);
-                follower.next(vision::viewOf(frame.image), frame.capture_s);
-                if (follower.hasReference() && !follower.usable())
-                    ++unusable;
-                if (!follower.problem().empty())
-                    problem = follower.problem();
-                for (const vision::GelContactState& contact : follower.contacts())
-                    vision::writeGelContact(rows, static_cast<long long>(frame.number), frame.capture_s,
-                                            contact);
-                rows.flushIfDue();
-                progress.update(static_cast<double>(done), static_cast<double>(camera.position().frames));
-            }
-        }
-        camera.stop();
-        progress.erase();
-        if (!follower.hasReference())
-            warn(ReplayText::tr("The gel at rest could not be found, so there are no contacts. %1")
-                     .arg(QString::fromStdString(problem)));
-        else if (unusable > 0)
-            warn(ReplayText::tr("%1 of %2 frames could not be used. The last reason: %3")
-                     .arg(unusable)
-                     .arg(done)
-                     .arg(QString::fromStdString(problem)));
-        return finish(rows, camera, status, lost + status.framesLost);
+        const auto take = [&](RowOutput& rows, const core::CameraFrame& frame) {
+            if (frame.discontinuity)
+                follower.forget();
+            if (!frame.reference.isEmpty())
+                reference = frame.reference;
+            if (!frame.image.isEmpty() && !reference.isEmpty())
+                takeReference(follower, std::exchange(reference, {}), frame.image);
+            follower.next(vision::viewOf(frame.image), frame.capture_s);
+            if (follower.hasReference() && !follower.usable())
+                ++unusable;
+            if (!follower.problem().empty())
+                problem = follower.problem();
+            for (const vision::GelContactState& contact : follower.contacts())
+                vision::writeGelContact(rows, static_cast<long long>(frame.number), frame.capture_s, contact);
+        };
+        return replayPictures(recording, source, vision::kGelContactColumns, take, [&](long long frames) {
+            if (!follower.hasReference())
+                warn(ReplayText::tr("The gel at rest could not be found, so there are no contacts. %1")
+                         .arg(QString::fromStdString(problem)));
+            else if (unusable > 0)
+                warn(ReplayText::tr("%1 of %2 frames could not be used. The last reason: %3")
+                         .arg(unusable)
+                         .arg(frames)
+                         .arg(QString::fromStdString(problem)));
+        });
     }
 
     /// The recorded pictures of the gel at rest, if there are any; otherwise the first pictures show it.
