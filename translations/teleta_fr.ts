@@ -5210,11 +5210,11 @@ Exemples&#xa0;:
         <translation>aucune</translation>
     </message>
     <message>
-        <source>PipeWire does not run.</source>
+        <source>PipeWire is not running.</source>
         <translation>PipeWire ne fonctionne pas.</translation>
     </message>
     <message>
-        <source>The JACK server does not run.</source>
+        <source>The JACK server is not running.</source>
         <translation>Le serveur JACK ne fonctionne pas.</translation>
     </message>
     <message>
@@ -5234,7 +5234,7 @@ Exemples&#xa0;:
         <translation>qu’il soit déconnecté, ou shared = true dans le fichier d’appareil</translation>
     </message>
     <message>
-        <source>The sound server does not start the connection.</source>
+        <source>The sound server did not activate the connection.</source>
         <translation>Le serveur de son n’établit pas la connexion.</translation>
     </message>
     <message>
@@ -5269,7 +5269,7 @@ Exemples&#xa0;:
         <translation>une sortie %1, comme l’indique channels</translation>
     </message>
     <message>
-        <source>The sound server gives no port for a tactor.</source>
+        <source>The sound server refused to create a port for a tactor.</source>
         <translation>Le serveur de son ne donne pas de port pour un actionneur.</translation>
     </message>
     <message>
@@ -5277,7 +5277,7 @@ Exemples&#xa0;:
         <translation>L’actionneur %1 ne peut pas être relié à %2.</translation>
     </message>
     <message>
-        <source>The sound server asks for no samples.</source>
+        <source>The sound server requests no samples.</source>
         <translation>Le serveur de son ne demande pas d’échantillons.</translation>
     </message>
     <message>
@@ -10476,7 +10476,7 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>SoundBracelet</name>
     <message>
-        <source>The sound card asks for no samples.</source>
+        <source>The sound card requests no samples.</source>
         <translation>La carte son ne demande pas d’échantillons.</translation>
     </message>
     <message>
@@ -10495,7 +10495,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Des échantillons sont arrivés trop tard pendant qu’un actionneur vibrait.</translation>
     </message>
     <message>
-        <source>The sound server ended.</source>
+        <source>The sound server stopped.</source>
         <translation>Le serveur de son s’est arrêté.</translation>
     </message>
     <message>
@@ -10519,7 +10519,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Un autre programme s’est mis à jouer sur la carte son.</translation>
     </message>
     <message>
-        <source>The sound server asks for no more samples.</source>
+        <source>The sound server stopped requesting samples.</source>
         <translation>Le serveur de son ne demande plus d’échantillons.</translation>
     </message>
 </context>

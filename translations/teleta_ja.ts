@@ -5193,11 +5193,11 @@ Examples:
         <translation>なし</translation>
     </message>
     <message>
-        <source>PipeWire does not run.</source>
+        <source>PipeWire is not running.</source>
         <translation>PipeWireが動いていません。</translation>
     </message>
     <message>
-        <source>The JACK server does not run.</source>
+        <source>The JACK server is not running.</source>
         <translation>JACKサーバーが動いていません。</translation>
     </message>
     <message>
@@ -5217,7 +5217,7 @@ Examples:
         <translation>その切断、またはデバイスファイルのshared = true</translation>
     </message>
     <message>
-        <source>The sound server does not start the connection.</source>
+        <source>The sound server did not activate the connection.</source>
         <translation>サウンドサーバーが接続を開始しません。</translation>
     </message>
     <message>
@@ -5251,7 +5251,7 @@ Examples:
         <translation>channelsが示す出力%1</translation>
     </message>
     <message>
-        <source>The sound server gives no port for a tactor.</source>
+        <source>The sound server refused to create a port for a tactor.</source>
         <translation>サウンドサーバーがアクチュエーター用のポートを用意しません。</translation>
     </message>
     <message>
@@ -5259,7 +5259,7 @@ Examples:
         <translation>アクチュエーター%1を%2に接続できません。</translation>
     </message>
     <message>
-        <source>The sound server asks for no samples.</source>
+        <source>The sound server requests no samples.</source>
         <translation>サウンドサーバーがサンプルを要求しません。</translation>
     </message>
     <message>
@@ -10450,7 +10450,7 @@ Run teleta-site --help for more.
 <context>
     <name>SoundBracelet</name>
     <message>
-        <source>The sound card asks for no samples.</source>
+        <source>The sound card requests no samples.</source>
         <translation>サウンドカードがサンプルを要求しません。</translation>
     </message>
     <message>
@@ -10469,7 +10469,7 @@ Run teleta-site --help for more.
         <translation>アクチュエーターの駆動中にサンプルが遅れました。</translation>
     </message>
     <message>
-        <source>The sound server ended.</source>
+        <source>The sound server stopped.</source>
         <translation>サウンドサーバーが終了しました。</translation>
     </message>
     <message>
@@ -10493,7 +10493,7 @@ Run teleta-site --help for more.
         <translation>ほかのプログラムがサウンドカードで再生を始めました。</translation>
     </message>
     <message>
-        <source>The sound server asks for no more samples.</source>
+        <source>The sound server stopped requesting samples.</source>
         <translation>サウンドサーバーがサンプルを要求しなくなりました。</translation>
     </message>
 </context>

@@ -5193,11 +5193,11 @@ Examples:
         <translation>无</translation>
     </message>
     <message>
-        <source>PipeWire does not run.</source>
+        <source>PipeWire is not running.</source>
         <translation>PipeWire 未运行。</translation>
     </message>
     <message>
-        <source>The JACK server does not run.</source>
+        <source>The JACK server is not running.</source>
         <translation>JACK 服务器未运行。</translation>
     </message>
     <message>
@@ -5217,7 +5217,7 @@ Examples:
         <translation>断开该程序，或在设备文件中写 shared = true</translation>
     </message>
     <message>
-        <source>The sound server does not start the connection.</source>
+        <source>The sound server did not activate the connection.</source>
         <translation>声音服务器未启动连接。</translation>
     </message>
     <message>
@@ -5251,7 +5251,7 @@ Examples:
         <translation>channels 所写的输出 %1</translation>
     </message>
     <message>
-        <source>The sound server gives no port for a tactor.</source>
+        <source>The sound server refused to create a port for a tactor.</source>
         <translation>声音服务器没有为致动器提供端口。</translation>
     </message>
     <message>
@@ -5259,7 +5259,7 @@ Examples:
         <translation>无法将致动器 %1 连接到 %2。</translation>
     </message>
     <message>
-        <source>The sound server asks for no samples.</source>
+        <source>The sound server requests no samples.</source>
         <translation>声音服务器不请求采样。</translation>
     </message>
     <message>
@@ -10450,7 +10450,7 @@ Run teleta-site --help for more.
 <context>
     <name>SoundBracelet</name>
     <message>
-        <source>The sound card asks for no samples.</source>
+        <source>The sound card requests no samples.</source>
         <translation>声卡不请求采样。</translation>
     </message>
     <message>
@@ -10469,7 +10469,7 @@ Run teleta-site --help for more.
         <translation>驱动致动器时采样到达过晚。</translation>
     </message>
     <message>
-        <source>The sound server ended.</source>
+        <source>The sound server stopped.</source>
         <translation>声音服务器已结束。</translation>
     </message>
     <message>
@@ -10493,7 +10493,7 @@ Run teleta-site --help for more.
         <translation>另一个程序开始在声卡上播放。</translation>
     </message>
     <message>
-        <source>The sound server asks for no more samples.</source>
+        <source>The sound server stopped requesting samples.</source>
         <translation>声音服务器不再请求采样。</translation>
     </message>
 </context>

@@ -17,12 +17,16 @@ core::Expected<std::unique_ptr<AlsaOutput>> AlsaOutput::open(const SoundBracelet
     TELETA_TRY(AlsaStream stream, AlsaStream::open(file));
     std::unique_ptr<AlsaOutput> output(new AlsaOutput(file, engine, std::move(stream)));
     const std::int64_t end_ns = core::steadyNow_ns() + kLongestOpening_ns;
-    while (engine.called_ns() == 0 && core::steadyNow_ns() < end_ns)
+    // The first periods only fill the card.
+    const auto plays = [&] { return engine.cost().callbacks > output->m_stream.periods(); };
+    while (!plays() && engine.fault() == SoundFault::none && core::steadyNow_ns() < end_ns)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (engine.called_ns() == 0)
+    if (const SoundFault fault = engine.fault(); fault != SoundFault::none)
+        return core::failed(core::ErrorKind::unavailable, QString::fromStdString(describe(fault)));
+    if (!plays())
         return core::failed(
             core::ErrorKind::unavailable,
-            QCoreApplication::translate("SoundBracelet", "The sound card asks for no samples."));
+            QCoreApplication::translate("SoundBracelet", "The sound card requests no samples."));
     return output;
 }
 

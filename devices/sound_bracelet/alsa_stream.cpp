@@ -22,6 +22,7 @@ struct AlsaText {
 };
 
 constexpr unsigned kCardPeriods = 2;
+constexpr int kLongestWait_ms = 500;
 constexpr std::array<snd_pcm_format_t, 3> kFormats{SND_PCM_FORMAT_FLOAT, SND_PCM_FORMAT_S32,
                                                    SND_PCM_FORMAT_S16};
 
@@ -106,15 +107,15 @@ core::Expected<void> AlsaStream::choose(const SoundBraceletFile& file) {
         return core::refused(
             AlsaText::tr("The sound card does not play %1 samples a second.").arg(file.sampleRate_Hz),
             AlsaText::tr("another sample_rate_Hz in the device file"));
-    unsigned least = 0;
     unsigned most = 0;
-    (void)snd_pcm_hw_params_get_channels_min(hardware, &least);
     (void)snd_pcm_hw_params_get_channels_max(hardware, &most);
-    m_channels = std::max(least, *std::ranges::max_element(file.channels));
-    if (snd_pcm_hw_params_set_channels(pcm, hardware, m_channels) < 0)
+    // A card may have fixed numbers of channels, and all of them count.
+    m_channels = *std::ranges::max_element(file.channels);
+    if (snd_pcm_hw_params_set_channels_min(pcm, hardware, &m_channels) < 0 ||
+        snd_pcm_hw_params_set_channels_first(pcm, hardware, &m_channels) < 0)
         return core::refused(
             AlsaText::tr("The sound card has %n output(s).", nullptr, static_cast<int>(most)),
-            AlsaText::tr("an output %1, as channels says").arg(m_channels));
+            AlsaText::tr("an output %1, as channels says").arg(*std::ranges::max_element(file.channels)));
     int direction = 0;
     m_period_frames = file.period_frames;
     m_periods = kCardPeriods;
@@ -157,6 +158,9 @@ AlsaStream::Written AlsaStream::write(const ToneEngine::Outputs& tactors) {
     const std::size_t frameBytes = m_period.size() / m_period_frames;
     snd_pcm_uframes_t done = 0;
     while (done < m_period_frames) {
+        // With room for a period, what follows does not wait. A card that has none for so long is stuck.
+        if (snd_pcm_wait(m_pcm.get(), kLongestWait_ms) == 0)
+            return Written::gone;
         const snd_pcm_sframes_t written =
             snd_pcm_writei(m_pcm.get(), m_period.data() + done * frameBytes, m_period_frames - done);
         if (written == -EPIPE)

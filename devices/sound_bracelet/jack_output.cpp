@@ -61,8 +61,8 @@ core::Expected<std::unique_ptr<JackOutput>> JackOutput::open(const SoundBracelet
         }
         JackClient* client = jack->clientOpen(kClientName, kJackNoStartServer, nullptr);
         if (client == nullptr) {
-            failure = unavailable(pipeWire ? JackText::tr("PipeWire does not run.")
-                                           : JackText::tr("The JACK server does not run."))
+            failure = unavailable(pipeWire ? JackText::tr("PipeWire is not running.")
+                                           : JackText::tr("The JACK server is not running."))
                           .value();
             continue;
         }
@@ -95,15 +95,14 @@ core::Expected<void> JackOutput::start() {
                              JackText::tr("sample_rate_Hz = %1 in the device file").arg(rate_Hz));
     TELETA_CHECK(findOutputs());
     if (!m_file.shared && isShared())
-        return core::refused(
-            JackText::tr("Another program plays on %1.").arg(QString::fromStdString(m_where)),
-            JackText::tr("it to be disconnected, or shared = true in the device file"));
+        return core::refused(JackText::tr("Another program plays on %1.").arg(QString::fromStdString(m_card)),
+                             JackText::tr("it to be disconnected, or shared = true in the device file"));
     TELETA_CHECK(registerPorts());
     setCallbacks();
     // Also where it is the period already: PipeWire would change it when another program comes.
     (void)m_jack.setBufferSize(m_client, m_file.period_frames);
     if (m_jack.activate(m_client) != 0)
-        return unavailable(JackText::tr("The sound server does not start the connection."));
+        return unavailable(JackText::tr("The sound server did not activate the connection."));
     m_active = true;
     TELETA_CHECK(connectPorts());
     TELETA_CHECK(awaitPeriod());
@@ -145,7 +144,7 @@ core::Expected<void> JackOutput::findOutputs() {
          m_jack.names(m_jack.ports(m_client, nullptr, kJackAudio, kJackPortIsInput)))
         if (clientOf(port) == card)
             m_cardPorts.push_back(port);
-    m_where = card;
+    m_card = card;
     for (std::size_t i = 0; i < core::kTactors; ++i) {
         if (m_file.channels[i] > m_cardPorts.size())
             return core::refused(
@@ -181,7 +180,7 @@ core::Expected<void> JackOutput::registerPorts() {
         m_ports[i] = m_jack.portRegister(m_client, name.c_str(), kJackAudio,
                                          kJackPortIsOutput | kJackPortIsTerminal, 0);
         if (m_ports[i] == nullptr)
-            return unavailable(JackText::tr("The sound server gives no port for a tactor."));
+            return unavailable(JackText::tr("The sound server refused to create a port for a tactor."));
         m_portNames[i] = m_jack.portName(m_ports[i]);
     }
     return {};
@@ -217,7 +216,7 @@ core::Expected<void> JackOutput::awaitPeriod() {
     if (const SoundFault fault = m_engine.fault(); fault != SoundFault::none)
         return unavailable(QString::fromStdString(describe(fault)));
     if (m_engine.called_ns() == 0)
-        return unavailable(JackText::tr("The sound server asks for no samples."));
+        return unavailable(JackText::tr("The sound server requests no samples."));
     return core::refused(
         JackText::tr("The sound server plays %1 samples at a time.").arg(m_engine.frames()),
         JackText::tr("period_frames = %1 in the device file, or a server that plays %2 at a time")
@@ -309,7 +308,8 @@ int JackOutput::missedPeriod(void* self) {
 
 void JackOutput::connectionsChanged(std::uint32_t, std::uint32_t, int, void* self) {
     auto& output = *static_cast<JackOutput*>(self);
-    output.m_changed.store(output.m_playing.load(std::memory_order_acquire), std::memory_order_release);
+    // Also while the connections are made: check() looks at them only after that.
+    output.m_changed.store(true, std::memory_order_release);
 }
 
 void JackOutput::ended(void* self) {

@@ -27,7 +27,9 @@ public:
     ~JackOutput() override;
 
     void check() override;
-    [[nodiscard]] std::string where() const override { return m_where; }
+    [[nodiscard]] std::string where() const override {
+        return (m_file.address.api == SoundApi::pipeWire ? "PipeWire, " : "JACK, ") + m_card;
+    }
     [[nodiscard]] double statedLatency_s() const override { return m_statedLatency_s; }
 
 private:
@@ -62,7 +64,7 @@ private:
     std::array<std::string, core::kTactors> m_portNames{};
     std::array<JackPort*, core::kTactors> m_ports{};
     std::vector<float> m_unheard; ///< of ports without a buffer
-    std::string m_where;
+    std::string m_card;
     double m_statedLatency_s = 0.0;
     std::atomic<bool> m_playing{false};       ///< opened: from now on a change is a fault
     std::atomic<bool> m_changed{false};       ///< connections, since the last look

@@ -21,7 +21,7 @@ QString textOf(SoundFault fault) {
     case SoundFault::missedPeriod:
         return SoundFaultText::tr("Samples came too late while a tactor was driven.");
     case SoundFault::serverGone:
-        return SoundFaultText::tr("The sound server ended.");
+        return SoundFaultText::tr("The sound server stopped.");
     case SoundFault::deviceGone:
         return SoundFaultText::tr("The sound card is gone.");
     case SoundFault::rateChanged:
@@ -33,7 +33,7 @@ QString textOf(SoundFault fault) {
     case SoundFault::sharedWithOthers:
         return SoundFaultText::tr("Another program began to play on the sound card.");
     case SoundFault::callbacksStopped:
-        return SoundFaultText::tr("The sound server asks for no more samples.");
+        return SoundFaultText::tr("The sound server stopped requesting samples.");
     }
     return {};
 }

@@ -96,7 +96,7 @@ WriteResult BraceletLink::write(const BraceletFrame& frame) {
 
 /// False: stop was requested.
 bool BraceletLink::reconnect(Lock& lock, const std::stop_token& stop) {
-    m_port.reset();
+    closePort(lock);
     Backoff retry(m_config.firstRetry_ns, m_config.longestRetry_ns);
     for (bool atOnce = m_status.state() == DeviceState::connecting;; atOnce = false) {
         const std::int64_t deadline_ns = now_ns() + (atOnce ? 0 : retry.next_ns());
@@ -113,11 +113,19 @@ bool BraceletLink::reconnect(Lock& lock, const std::stop_token& stop) {
             if (m_connected)
                 return true;
             // Some boards accept a single connection: close this one before the next attempt.
-            m_port.reset();
+            closePort(lock);
         } else if (m_status.state() == DeviceState::connecting) {
             setState(DeviceState::reconnecting, opened ? lostMessage() : opened.error().message);
         }
     }
+}
+
+/// A device that hangs may take seconds to close: nobody else waits for it.
+void BraceletLink::closePort(Lock& lock) {
+    std::unique_ptr<BraceletPort> closing = std::move(m_port);
+    lock.unlock();
+    closing.reset();
+    lock.lock();
 }
 
 void BraceletLink::adopt(std::unique_ptr<BraceletPort> port) {

@@ -59,6 +59,7 @@ private:
     void wake();
 
     [[nodiscard]] bool reconnect(Lock& lock, const std::stop_token& stop);
+    void closePort(Lock& lock);
     void adopt(std::unique_ptr<BraceletPort> port);
     void lose();
     [[nodiscard]] bool send(const Drive& drive, std::uint16_t timeout_ms);

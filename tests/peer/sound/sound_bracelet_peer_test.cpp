@@ -126,8 +126,9 @@ TEST_F(SoundBraceletPeer, playsEachTactorOnItsOutputSampleBySample) {
     for (std::size_t i = 0; i < kOutputs.size(); ++i)
         file.channels[i] = static_cast<std::uint32_t>(kOutputs[i] + 1);
     // A busy machine may miss periods, as client or as recorder: then there is nothing to compare.
-    constexpr int kAttempts = 10;
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    using Clock = std::chrono::steady_clock;
+    for (const auto end = Clock::now() + std::chrono::seconds(60); Clock::now() < end;
+         std::this_thread::sleep_for(std::chrono::milliseconds(200))) {
         ASSERT_TRUE(open(file));
         MonitorRecorder recorder(5 * 48'000);
         ASSERT_TRUE(recorder.start(sound::pipeWireLibraries().front(), monitors(), kPeriod));
@@ -187,9 +188,11 @@ TEST_F(SoundBraceletPeer, isSilentOnStopAndGoesOnOnlyWhenAsked) {
     m_stop.engage();
     EXPECT_TRUE(eventually([this] { return m_recorder.silentFor() > 9600; }));
     EXPECT_EQ(player.status().ending, playback::PlayerEnding::stopSwitch);
+    m_recorder.arm();
     m_stop.release();
     const std::size_t before = m_recorder.silentFor();
     EXPECT_TRUE(eventually([&] { return m_recorder.silentFor() > before + 9600; }));
+    EXPECT_EQ(m_recorder.heard_ns(), 0) << "not even for a moment";
     EXPECT_TRUE(playUntil(player, [this] { return m_recorder.hears(); }));
 }
 
@@ -222,9 +225,11 @@ TEST_F(SoundBraceletPeer, isSilentWhileTheProgramIsSuspendedAndAfterwards) {
     const auto process = static_cast<pid_t>(player.processId());
     ::kill(process, SIGSTOP);
     EXPECT_TRUE(eventually([this] { return m_recorder.silentFor() > 24'000; }));
+    m_recorder.arm();
     ::kill(process, SIGCONT);
     const std::size_t before = m_recorder.silentFor();
     EXPECT_TRUE(eventually([&] { return m_recorder.silentFor() > before + 24'000; })) << "nothing resumes";
+    EXPECT_EQ(m_recorder.heard_ns(), 0) << "not even for a moment";
 }
 
 TEST_F(SoundBraceletPeer, isLostWithTheServerAndComesBackSilent) {
@@ -241,6 +246,7 @@ TEST_F(SoundBraceletPeer, isLostWithTheServerAndComesBackSilent) {
     EXPECT_TRUE(eventually([this] { return m_bracelet->connection() != 0; }));
     ASSERT_TRUE(record());
     EXPECT_TRUE(eventually([this] { return m_recorder.silentFor() > 24'000; })) << "nothing plays by itself";
+    EXPECT_EQ(m_recorder.heard_ns(), 0);
     EXPECT_EQ(m_bracelet->write({kSome, 100, before}).outcome, core::WriteOutcome::refused);
     ASSERT_TRUE(drive(kSome, 10));
     EXPECT_TRUE(m_recorder.hears());
@@ -257,6 +263,7 @@ TEST_F(SoundBraceletPeer, isLostWhenTheCardIsUnpluggedAndComesBackSilent) {
     EXPECT_TRUE(eventually([this] { return m_bracelet->connection() != 0; }));
     ASSERT_TRUE(record());
     EXPECT_TRUE(eventually([this] { return m_recorder.silentFor() > 24'000; }));
+    EXPECT_EQ(m_recorder.heard_ns(), 0);
     EXPECT_EQ(m_bracelet->write({kSome, 100, before}).outcome, core::WriteOutcome::refused);
     ASSERT_TRUE(drive(kSome, 10));
     EXPECT_TRUE(m_recorder.hears());
@@ -351,7 +358,7 @@ TEST_F(SoundBraceletPeer, isProbedAndPlayedAtTheCommandLine) {
     EXPECT_EQ(played["bracelet"], "voice coils");
     EXPECT_EQ(played["simulated"], false);
     ASSERT_TRUE(played.contains("sound"));
-    EXPECT_GE(played["sound"]["missed_periods"], 0);
+    EXPECT_TRUE(played["sound"].contains("missed_periods"));
     EXPECT_GT(played["sound"]["stated_latency_s"], 0.0);
     const std::vector<float> samples = m_recorder.samples(0);
     EXPECT_GT(*std::ranges::max_element(samples), 0.1F);
