@@ -15,9 +15,9 @@
 #include "devices/dds/participant.h"
 #include "devices/dds/wait_set.h"
 #include "devices/ros/arm_commander.h"
+#include "devices/ros/files/ros_arm_file.h"
 #include "devices/ros/joint_watch.h"
 #include "devices/ros/node_announcement.h"
-#include "devices/ros/files/ros_arm_file.h"
 #include "devices/ros/trajectory_mover.h"
 #include "devices/ros/wrench_watch.h"
 

@@ -334,13 +334,17 @@ TEST_F(SoundBraceletPeer, isProbedAndPlayedAtTheCommandLine) {
                                    "'pipewire:tactors'\nchannels = [1, 2, 3, 4, 5, 6]\n");
     // A busy machine may miss a period, which ends the playing.
     const auto json = [](const QStringList& arguments) {
-        constexpr int kAttempts = 10;
-        for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        using Clock = std::chrono::steady_clock;
+        std::string errors;
+        for (const auto end = Clock::now() + std::chrono::seconds(60); Clock::now() < end;
+             std::this_thread::sleep_for(std::chrono::milliseconds(200))) {
             QProcess teleta;
             teleta.start(QStringLiteral(TELETA_PROGRAM), arguments);
             if (teleta.waitForFinished() && teleta.exitCode() == 0)
                 return nlohmann::json::parse(teleta.readAllStandardOutput().toStdString(), nullptr, false);
+            errors += teleta.readAllStandardError().toStdString();
         }
+        ADD_FAILURE() << errors;
         return nlohmann::json();
     };
     const nlohmann::json probed = json({QStringLiteral("devices"), QStringLiteral("--probe"),

@@ -132,7 +132,7 @@ private slots:
         QVERIFY(record->ready_s - record->start_s < 1.0);
         // Level 5 on the simulated bracelet, and how long that took.
         auto& bracelet = m_window->bracelet();
-        QTRY_VERIFY(bracelet.lastEvent().has_value() && bracelet.lastEvent()->onset_s.has_value());
+        QTRY_VERIFY(bracelet.lastEvent() && bracelet.lastEvent()->onset_s);
         QCOMPARE(QString::fromStdString(bracelet.lastEvent()->sent.patternId),
                  QStringLiteral("stiffness.E.dynamic"));
         QCOMPARE(child<touch::PatternMapTable>()->recognisedRow(), std::optional(4));
@@ -143,7 +143,7 @@ private slots:
         openArm();
         auto& bracelet = m_window->bracelet();
         bracelet.choose(BraceletChoice::none);
-        QTRY_VERIFY_WITH_TIMEOUT(bracelet.lastEvent().has_value(), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bracelet.lastEvent(), 30'000);
         QVERIFY(!bracelet.lastEvent()->onset_s);
         QVERIFY(!bracelet.reading());
         const auto told = [this] {
