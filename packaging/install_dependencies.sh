@@ -51,7 +51,7 @@ build_packages=(
 packages=(
     "${build_packages[@]}"
     # tests and benchmarks
-    libgtest-dev libgmock-dev libbenchmark-dev
+    libgtest-dev libgmock-dev libbenchmark-dev lld
     # a screen, OpenGL in software and a font where there are none
     xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )
