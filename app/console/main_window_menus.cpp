@@ -18,8 +18,8 @@
 #include "app/console/start/start_page.h"
 #include "app/console/study/study_page.h"
 #include "widgets/base/mnemonics.h"
-#include "widgets/chrome/first_steps.h"
-#include "widgets/chrome/recent_list.h"
+#include "widgets/chrome/start/first_steps.h"
+#include "widgets/chrome/start/recent_list.h"
 #include "widgets/pattern/pattern_editor.h"
 
 #include <QActionGroup>

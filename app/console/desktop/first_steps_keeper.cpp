@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/desktop/first_steps_keeper.h"
 
-#include "widgets/chrome/first_steps.h"
+#include "widgets/chrome/start/first_steps.h"
 
 #include <algorithm>
 

@@ -4,10 +4,10 @@
 #include "app/console/start/start_pictures.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/demo_card.h"
-#include "widgets/chrome/demo_list.h"
-#include "widgets/chrome/first_steps.h"
-#include "widgets/chrome/recent_list.h"
+#include "widgets/chrome/start/demo_card.h"
+#include "widgets/chrome/start/demo_list.h"
+#include "widgets/chrome/start/first_steps.h"
+#include "widgets/chrome/start/recent_list.h"
 
 #include <QPushButton>
 #include <QStandardPaths>

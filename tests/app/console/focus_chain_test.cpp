@@ -3,8 +3,8 @@
 #include "app/console/main_window.h"
 #include "app/console/operate/operate_page.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/demo_card.h"
 #include "widgets/chrome/page_rail.h"
+#include "widgets/chrome/start/demo_card.h"
 
 #include <QAbstractButton>
 #include <QAccessible>

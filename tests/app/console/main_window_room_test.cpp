@@ -3,10 +3,10 @@
 #include "app/console/operate/operate_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/demo_card.h"
-#include "widgets/chrome/demo_list.h"
-#include "widgets/chrome/first_steps.h"
 #include "widgets/chrome/page_rail.h"
+#include "widgets/chrome/start/demo_card.h"
+#include "widgets/chrome/start/demo_list.h"
+#include "widgets/chrome/start/first_steps.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 

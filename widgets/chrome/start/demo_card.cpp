@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/chrome/demo_card.h"
+#include "widgets/chrome/start/demo_card.h"
 
 #include "widgets/base/control_painter.h"
 #include "widgets/base/mnemonics.h"

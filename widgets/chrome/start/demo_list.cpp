@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/chrome/demo_list.h"
+#include "widgets/chrome/start/demo_list.h"
 
 #include "widgets/base/theme.h"
-#include "widgets/chrome/demo_card.h"
+#include "widgets/chrome/start/demo_card.h"
 
 #include <QLabel>
 #include <QResizeEvent>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/chrome/first_steps.h"
+#include "widgets/chrome/start/first_steps.h"
 
 #include "widgets/base/compose.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/demo_card.h"
+#include "widgets/chrome/start/demo_card.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

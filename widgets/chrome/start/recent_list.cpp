@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/chrome/recent_list.h"
+#include "widgets/chrome/start/recent_list.h"
 
 #include "widgets/base/compose.h"
 #include "widgets/base/icons.h"
@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::chrome {
 
@@ -26,71 +27,89 @@ constexpr QSizeF kRecentPicture_em(2.6, 1.7);
 RecentList::RecentList(QWidget* parent)
     : QWidget(parent)
     , m_row(new QHBoxLayout(this))
-    , m_title(new QLabel(this)) {
+    , m_title(new QLabel(this))
+    , m_reopen(base::named<QToolButton>("reopenSession", this)) {
     m_row->setContentsMargins(base::grid(this, 2), 0, base::grid(this, 2), 0);
     m_row->addStretch(1);
     m_row->addWidget(m_title);
+    m_row->addWidget(m_reopen);
     m_row->addStretch(1);
-    base::keepTranslated(this, &RecentList::rebuild);
-    base::onChange(this, &RecentList::rebuild, {QEvent::FontChange, QEvent::PaletteChange});
+    connect(m_reopen, &QToolButton::clicked, this, &RecentList::sessionRequested);
+    base::keepTranslated(this, &RecentList::retranslate);
+    base::onChange(this, &RecentList::retranslate, {QEvent::FontChange, QEvent::PaletteChange});
 }
 
-void RecentList::setFiles(const QStringList& files) {
-    m_files = files;
-    rebuild();
+/// The button of a file that stays is kept, with its focus.
+void RecentList::setFiles(const QStringList& paths) {
+    std::vector<File> before = std::exchange(m_files, {});
+    for (const QString& path : paths.mid(0, kFiles)) {
+        const auto known = std::ranges::find(before, path, &File::path);
+        if (known != before.end()) {
+            m_files.push_back(*known);
+            before.erase(known);
+        } else {
+            auto* button = base::named<QToolButton>("recentFile", this);
+            connect(button, &QToolButton::clicked, this, [this, path] { emit fileRequested(path); });
+            m_files.push_back({path, button, {}});
+        }
+    }
+    for (const File& gone : before) {
+        // It may be the one that asked for this.
+        gone.button->hide();
+        gone.button->setObjectName(QString());
+        gone.button->deleteLater();
+    }
+    QWidget* previous = m_reopen;
+    for (const File& file : m_files) {
+        m_row->removeWidget(file.button);
+        m_row->insertWidget(m_row->count() - 1, file.button);
+        setTabOrder(previous, file.button);
+        previous = file.button;
+    }
+    retranslate();
 }
 
 void RecentList::setPicture(const QString& path, const QImage& picture) {
-    if (!m_files.mid(0, kFiles).contains(path))
+    const auto file = std::ranges::find(m_files, path, &File::path);
+    if (file == m_files.end())
         return;
-    m_pictures.insert(path, picture);
-    rebuild();
+    file->picture = picture;
+    retranslate();
 }
 
 void RecentList::setSession(const QString& names) {
     m_session = names;
-    rebuild();
+    retranslate();
 }
 
-void RecentList::rebuild() {
-    // One of the buttons may have asked for this.
-    for (QToolButton* button : findChildren<QToolButton*>()) {
-        m_row->removeWidget(button);
-        button->hide();
-        button->setObjectName(QString());
-        button->deleteLater();
-    }
+void RecentList::fill(QToolButton& button, const QString& text, const QString& about, const QIcon& icon) {
+    button.setAutoRaise(true);
+    button.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button.setIcon(icon);
+    button.setFocusPolicy(Qt::StrongFocus);
+    const QString shown = fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em));
+    button.setText(base::withoutMnemonic(shown));
+    button.setAccessibleName(text);
+    button.setAccessibleDescription(about);
+    button.setToolTip(about);
+}
+
+void RecentList::retranslate() {
     m_title->setText(tr("Recent:"));
-    const auto add = [this](const QString& text, const QString& about, base::Icon icon, const char* name) {
-        auto* button = base::named<QToolButton>(name, this);
-        button->setAutoRaise(true);
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setIcon(base::themeIcon(icon));
-        button->setFocusPolicy(Qt::StrongFocus);
-        const QString shown = fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em));
-        button->setText(base::withoutMnemonic(shown));
-        button->setAccessibleName(text);
-        button->setAccessibleDescription(about);
-        button->setToolTip(about);
-        m_row->insertWidget(m_row->count() - 1, button);
-        return button;
-    };
-    if (!m_session.isEmpty())
-        connect(add(tr("Reopen %1", "what was open").arg(m_session),
-                    tr("What was open when the console was closed"), base::Icon::operate, "reopenSession"),
-                &QToolButton::clicked, this, &RecentList::sessionRequested);
-    for (const QString& path : m_files.mid(0, kFiles)) {
-        const bool isScene = path.endsWith(QLatin1String(".toml"), Qt::CaseInsensitive);
-        QToolButton* button = add(QFileInfo(path).fileName(), path,
-                                  isScene ? base::Icon::scene : base::Icon::recording, "recentFile");
-        if (const QImage picture = m_pictures.value(path); !picture.isNull()) {
-            button->setIconSize(
+    fill(*m_reopen, tr("Reopen %1", "what was open").arg(m_session),
+         tr("What was open when the console was closed"), base::themeIcon(base::Icon::operate));
+    m_reopen->setVisible(!m_session.isEmpty());
+    for (const File& file : m_files) {
+        const bool isScene = file.path.endsWith(QLatin1String(".toml"), Qt::CaseInsensitive);
+        const bool hasPicture = !file.picture.isNull();
+        if (hasPicture)
+            file.button->setIconSize(
                 QSize(base::em(this, kRecentPicture_em.width()), base::em(this, kRecentPicture_em.height())));
-            button->setIcon(QPixmap::fromImage(picture));
-        }
-        connect(button, &QToolButton::clicked, this, [this, path] { emit fileRequested(path); });
+        fill(*file.button, QFileInfo(file.path).fileName(), file.path,
+             hasPicture ? QIcon(QPixmap::fromImage(file.picture))
+                        : base::themeIcon(isScene ? base::Icon::scene : base::Icon::recording));
     }
-    setVisible(!m_session.isEmpty() || !m_files.isEmpty());
+    setVisible(!m_session.isEmpty() || !m_files.empty());
 }
 
 } // namespace teleta::chrome

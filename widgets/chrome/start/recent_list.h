@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QHash>
 #include <QImage>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
 
+#include <vector>
+
 class QHBoxLayout;
+class QIcon;
 class QLabel;
+class QToolButton;
 
 namespace teleta::chrome {
 
@@ -35,13 +38,19 @@ signals:
     void sessionRequested();
 
 private:
-    void rebuild();
+    void retranslate();
+    void fill(QToolButton& button, const QString& text, const QString& about, const QIcon& icon);
 
     QHBoxLayout* m_row;
     QLabel* m_title;
-    QStringList m_files;
+    QToolButton* m_reopen;
     QString m_session;
-    QHash<QString, QImage> m_pictures; ///< by path
+    struct File {
+        QString path;
+        QToolButton* button;
+        QImage picture;
+    };
+    std::vector<File> m_files; ///< as they are shown
 };
 
 } // namespace teleta::chrome

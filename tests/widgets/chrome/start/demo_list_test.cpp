@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/chrome/demo_card.h"
-#include "widgets/chrome/demo_list.h"
+#include "widgets/chrome/start/demo_card.h"
+#include "widgets/chrome/start/demo_list.h"
 
 #include <QLabel>
 #include <QScrollBar>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/theme.h"
-#include "widgets/chrome/demo_card.h"
-#include "widgets/chrome/first_steps.h"
+#include "widgets/chrome/start/demo_card.h"
+#include "widgets/chrome/start/first_steps.h"
 
 #include <QSignalSpy>
 #include <QTest>
