@@ -203,6 +203,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     connect(m_plot.get(), &PlotPage::demoRequested, this, &MainWindow::openDemo);
     auto& chooser = m_operate->chooser();
     connect(m_calibrate.get(), &CalibratePage::demoRequested, m_opener, &FileOpener::openScene);
+    connect(m_operate.get(), &OperatePage::sceneRequested, m_opener, &FileOpener::openScene);
     connect(&chooser, &chrome::SourceChooser::demoRequested, m_opener, &FileOpener::openScene);
     connect(&chooser, &chrome::SourceChooser::openRecordingRequested, m_operate.get(),
             &OperatePage::openRecordingRequested);

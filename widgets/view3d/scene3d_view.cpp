@@ -80,10 +80,6 @@ struct Scene3dView::Parts {
         scene.applyColours(colours);
         marks.applyColours(colours);
     }
-    void draw() {
-        scene.draw();
-        marks.wrench.draw(scene);
-    }
 
     [[nodiscard]] base::Figure figure();
 
@@ -117,11 +113,11 @@ base::Figure Scene3dView::Parts::figure() {
     // For paper, the scene is drawn once in light colours.
     const SceneColours shown = scene.colours();
     applyColours(SceneColours(base::designedPalette(false)));
-    draw();
+    scene.draw();
     const QImage picture = vtk->picture(kPictureScale, VtkWidget::PictureOverlay::without);
     const OverlayContent content = overlay();
     applyColours(shown);
-    draw();
+    scene.draw();
     return {.name = Scene3dView::tr("touch 3-D"),
             .size_px = vtk->size(),
             .paint =
@@ -321,7 +317,6 @@ void Scene3dView::refresh() {
     Parts& parts = *m_parts;
     if (parts.scene.draw())
         sceneMoved(true);
-    parts.marks.wrench.draw(parts.scene);
     const double time_s = parts.scene.snapshot().sourceTime_s;
     if (parts.follow->isChecked() && !parts.scene.marks().empty()) {
         parts.camera.follow(parts.scene.toWorld(parts.scene.marks().front().p_Sensor_Foot),
@@ -338,7 +333,6 @@ void Scene3dView::sceneMoved(bool refit) {
 void Scene3dView::clear() {
     if (m_parts->scene.hasSensor()) {
         m_parts->scene.clear();
-        drawWrench();
         sceneMoved(true);
     }
 }
@@ -374,7 +368,6 @@ void Scene3dView::setCylinder(const CylinderSize& cylinder) {
 
 void Scene3dView::setSensorPose(const Eigen::Isometry3d& X_World_Sensor) {
     m_parts->scene.setSensorPose(X_World_Sensor);
-    drawWrench();
     sceneMoved(false);
 }
 
@@ -423,7 +416,6 @@ void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
         return;
     parts.marks.wrench.setForce(force);
     parts.scene.setOtherForce(force && force->force_N.allFinite() ? force->force_N.norm() : 0.0);
-    drawWrench();
     parts.vtk->requestRender();
 }
 
@@ -436,13 +428,7 @@ void Scene3dView::forgetArm() {
 
 void Scene3dView::setArrayBent(bool bent) {
     m_parts->marks.wrench.setArrayBent(bent);
-    drawWrench();
-}
-
-/// The arrows lie in the world: they move with what they act on.
-void Scene3dView::drawWrench() {
-    if (isVisible())
-        m_parts->marks.wrench.draw(m_parts->scene);
+    m_parts->vtk->requestRender();
 }
 
 void Scene3dView::showLayers() {

@@ -109,7 +109,6 @@ private:
     void applyPalette();
     void refresh();
     void showLayers();
-    void drawWrench();
     void sceneMoved(bool refit);
     void askForGeometryFile();
     [[nodiscard]] QString contactTextAt(const QPoint& position) const;

@@ -115,8 +115,6 @@ void ArmViews::clear() {
     m_shownTouches.clear();
     m_sheet->clear();
     m_contour->clear();
-    m_scene.setArmLinks({});
-    m_scene.forgetArm();
     m_scene.setArrayBent(false);
     m_scene.setContour({}, {}, {}, {});
     m_scene.setObjects({});

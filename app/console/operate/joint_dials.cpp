@@ -44,24 +44,29 @@ std::vector<view3d::JointDial> armDials(const arm::Arm4Kinematics& kinematics,
     return dials;
 }
 
-std::vector<view3d::JointDial> chainDials(const arm_model::SerialChain& chain, const core::JointVector& q,
-                                          double radius_m) {
-    const core::JointVector rest = core::JointVector::zeros(chain.joints());
-    const std::vector<Eigen::Isometry3d> poses = chain.linkPoses(q);
-    const std::vector<Eigen::Isometry3d> posesAtRest = chain.linkPoses(rest);
-    const Eigen::Vector3d tipAtRest = chain.X_Base_Tip(rest).translation();
-    std::vector<view3d::JointDial> dials;
-    for (std::size_t i = 0; i < chain.joints(); ++i) {
-        const arm_model::ModelJoint& joint = chain.joint(i);
+ChainDials::ChainDials(std::shared_ptr<const arm_model::SerialChain> chain)
+    : m_chain(std::move(chain)) {
+    const core::JointVector rest = core::JointVector::zeros(m_chain->joints());
+    const std::vector<Eigen::Isometry3d> poses = m_chain->linkPoses(rest);
+    const Eigen::Vector3d tip = m_chain->X_Base_Tip(rest).translation();
+    for (std::size_t i = 0; i < m_chain->joints(); ++i) {
+        const arm_model::ModelJoint& joint = m_chain->joint(i);
         if (joint.type != arm_model::JointType::revolute)
             continue;
-        // The frame before the joint turns, and in it where the tip lies when all joints are at 0.
-        const Eigen::Isometry3d X_Base_Joint = poses[joint.parentLink] * joint.X_Parent_Joint;
-        const Eigen::Vector3d towards =
-            (posesAtRest[joint.parentLink] * joint.X_Parent_Joint).inverse() * tipAtRest;
+        // 0 points where the tip lies when all joints are at 0.
+        const Eigen::Vector3d towards = (poses[joint.parentLink] * joint.X_Parent_Joint).inverse() * tip;
+        m_turning.push_back({i, view3d::frameAround(Eigen::Vector3d::Zero(), joint.axis, towards)});
+    }
+}
+
+std::vector<view3d::JointDial> ChainDials::at(const core::JointVector& q, double radius_m) const {
+    const std::vector<Eigen::Isometry3d> poses = m_chain->linkPoses(q);
+    std::vector<view3d::JointDial> dials;
+    for (const auto& [i, X_Joint_Dial] : m_turning) {
+        const arm_model::ModelJoint& joint = m_chain->joint(i);
         dials.push_back({QString::fromStdString(joint.name),
-                         X_Base_Joint * view3d::frameAround(Eigen::Vector3d::Zero(), joint.axis, towards),
-                         q[i], joint.lowest, joint.highest, radius_m});
+                         poses[joint.parentLink] * joint.X_Parent_Joint * X_Joint_Dial, q[i], joint.lowest,
+                         joint.highest, radius_m});
     }
     return dials;
 }

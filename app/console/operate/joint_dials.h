@@ -7,6 +7,8 @@
 #include "backend/servo/lwr_kinematics.h"
 #include "widgets/view3d/scene/scene_types.h"
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace teleta::console {
@@ -18,11 +20,24 @@ namespace teleta::console {
 [[nodiscard]] std::vector<view3d::JointDial> armDials(const arm::Arm4Kinematics& kinematics,
                                                       const core::ArmDescription& description,
                                                       const arm::JointVector& q_rad);
-/// Of an arm by its description; joints that slide or turn without limits have none. q: as many as the chain
-/// has joints, finite.
-[[nodiscard]] std::vector<view3d::JointDial> chainDials(const arm_model::SerialChain& chain,
-                                                        const core::JointVector& q, double radius_m);
 /// Of the arm of the servo scenes. Empty where an angle is not finite.
 [[nodiscard]] std::vector<view3d::JointDial> servoDials(const servo::LwrVector& q_rad, double radius_m);
+
+/// Of an arm by its description; joints that slide or turn without limits have none.
+class ChainDials {
+public:
+    explicit ChainDials(std::shared_ptr<const arm_model::SerialChain> chain);
+    /// q: as many as the chain has joints, finite.
+    [[nodiscard]] std::vector<view3d::JointDial> at(const core::JointVector& q, double radius_m) const;
+
+private:
+    struct Turning {
+        std::size_t joint;
+        Eigen::Isometry3d X_Joint_Dial; ///< from the frame before the joint turns
+    };
+
+    std::shared_ptr<const arm_model::SerialChain> m_chain;
+    std::vector<Turning> m_turning;
+};
 
 } // namespace teleta::console

@@ -65,10 +65,12 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
         m_jog->setArm(std::nullopt);
         return;
     }
-    if (const auto chain = m_arm->chain())
+    if (const auto chain = m_arm->chain()) {
         m_tipOf = [chain](const core::JointSample& sample) -> Eigen::Vector3d {
             return chain->X_Base_Tip(sample.angle_rad).translation();
         };
+        m_dials.emplace(chain);
+    }
     m_chart->setProvenance(provenance);
     m_chart->setJoints(m_arm->description().joints());
     m_jog->setArm(m_arm->description(), m_arm->chain());
@@ -90,6 +92,7 @@ void JointViews::clear() {
         m_scene.forgetArm();
     }
     m_tipOf = {};
+    m_dials.reset();
     m_asked = false;
     m_silent = false;
     m_sample_ns = m_sampleCame_ns = 0;
@@ -189,7 +192,7 @@ void JointViews::showChain(const core::JointSample& sample) {
     for (view3d::ArmLink& link : links)
         link.radius_m = radius_m;
     m_scene.setArmLinks(links);
-    m_scene.setJoints(chainDials(chain, sample.angle_rad, radius_m));
+    m_scene.setJoints(m_dials->at(sample.angle_rad, radius_m));
 }
 
 void JointViews::setProgramRunning(bool running) {

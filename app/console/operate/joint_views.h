@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/operate/joint_dials.h"
 #include "app/console/operate/operate_docks.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/joint_channel.h"
@@ -86,8 +87,9 @@ private:
         m_kept;
     std::vector<core::JointSample> m_samples; ///< of a tick
     TipOf m_tipOf;
-    double m_tip_s = 0.0; ///< of the arm, when the tip was told last
-    bool m_asked = false; ///< the last command was to move
+    std::optional<ChainDials> m_dials; ///< of an arm with a chain
+    double m_tip_s = 0.0;              ///< of the arm, when the tip was told last
+    bool m_asked = false;              ///< the last command was to move
     bool m_silent = false;
     std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
     std::int64_t m_sampleCame_ns = 0; ///< when it was seen first

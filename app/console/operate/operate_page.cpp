@@ -249,11 +249,13 @@ void OperatePage::onActiveChanged() {
     const std::shared_ptr<pipeline::GelChannel> gel = item != nullptr ? item->gel() : nullptr;
     if (gel != m_gel->gel())
         m_gel->setGel(gel, provenance);
-    // Before the arm, whose surface is to stay.
+    // They draw into one scene: the one that goes leaves first.
     const std::shared_ptr<servo::ServoLink> servo = item != nullptr ? item->servo() : nullptr;
+    const std::shared_ptr<pipeline::JointChannel> joints = item != nullptr ? item->joints() : nullptr;
+    if (!joints && m_arm->joints())
+        m_arm->setArm(nullptr, provenance);
     if (servo != m_servo->servo())
         m_servo->setServo(servo, servo ? item->name : QString(), provenance);
-    const std::shared_ptr<pipeline::JointChannel> joints = item != nullptr ? item->joints() : nullptr;
     if (joints != m_arm->joints())
         m_arm->setArm(joints, provenance);
     m_docks->setKind(camera         ? OperateDocks::Kind::camera
@@ -437,7 +439,7 @@ void OperatePage::setDemos(const std::vector<chrome::SourceChooser::Demo>& demos
 /// A scene is opened here, the others are of other pages.
 void OperatePage::openCard(const QString& place) {
     if (place.endsWith(QLatin1String(".toml")))
-        emit m_chooser->demoRequested(place);
+        emit sceneRequested(place);
     else
         emit cardRequested(place);
 }

@@ -85,6 +85,8 @@ signals:
     /// A source shall be closed, see SourceManager::close().
     void closeRequested(std::uint64_t key);
     void demoRequested();
+    /// path: of a scene that the program brings.
+    void sceneRequested(const QString& path);
     /// A card of the start page that is no scene: "study:KIND", "pattern:ID".
     void cardRequested(const QString& place);
     void firstStepsRequested();

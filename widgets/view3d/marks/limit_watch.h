@@ -16,7 +16,6 @@ public:
 
     /// Takes the newest angle. False where the limits or the angle are not finite or in the wrong order.
     bool update(double angle_rad, double lowest_rad, double highest_rad);
-    [[nodiscard]] bool isNear() const { return m_near; }
 
 private:
     bool m_near = false;

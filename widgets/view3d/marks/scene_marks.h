@@ -7,14 +7,22 @@
 
 namespace teleta::view3d {
 
-/// What is drawn into a scene beside the things themselves. Thread: one.
-struct SceneMarks {
-    explicit SceneMarks(const TouchScene& scene) {
+/// What is drawn into a scene beside the things themselves: once for each picture, just before it is
+/// rendered. Thread: one.
+class SceneMarks {
+public:
+    /// scene: is there as long as its marks.
+    explicit SceneMarks(const TouchScene& scene)
+        : m_scene(scene)
+        , m_onRender(scene.renderer()->AddObserver(vtkCommand::StartEvent, this, &SceneMarks::draw)) {
         trail.addTo(scene.renderer());
         limits.addTo(scene.renderer());
         wrench.addTo(scene.renderer());
         applyColours(scene.colours());
     }
+    ~SceneMarks() { m_scene.renderer()->RemoveObserver(m_onRender); }
+    SceneMarks(const SceneMarks&) = delete;
+    SceneMarks& operator=(const SceneMarks&) = delete;
 
     void applyColours(const SceneColours& colours) {
         trail.applyColours(colours);
@@ -29,6 +37,16 @@ struct SceneMarks {
     TrailPart trail;
     LimitPart limits;
     WrenchPart wrench;
+
+private:
+    /// The arrows lie in the world: they move with what they act on.
+    void draw() {
+        trail.draw();
+        wrench.draw(m_scene);
+    }
+
+    const TouchScene& m_scene;
+    unsigned long m_onRender;
 };
 
 } // namespace teleta::view3d

@@ -25,6 +25,11 @@ public:
     /// Takes the newest place. Ignored unless finite. Begins anew when the time goes back.
     void add(const Eigen::Vector3d& p_m, double time_s);
     void clear() { m_places.clear(); }
+    /// Of a point that stands still nothing is seen.
+    [[nodiscard]] bool isSeen() const {
+        return m_places.size() > 2 ||
+               (m_places.size() == 2 && (m_places[1].p_m - m_places[0].p_m).norm() >= kStep_m);
+    }
     [[nodiscard]] bool isEmpty() const { return m_places.empty(); }
     /// From the oldest place to the newest, which is where the point is now.
     [[nodiscard]] const std::deque<Place>& places() const { return m_places; }

@@ -18,17 +18,17 @@ public:
     void applyColours(const SceneColours& colours);
     void applyPixelScale(double scale) { m_line.setLineWidth(kLine_px, scale); }
 
-    /// time_s: of the arm. Returns whether what is drawn changed.
+    /// time_s: of the arm. Returns whether the picture changes. Many places may come for one picture.
     bool add(const Eigen::Vector3d& p_World_m, double time_s);
     void clear();
-    [[nodiscard]] const Trail& trail() const { return m_trail; }
+    /// Makes what is drawn anew, if it is shown and changed.
+    void draw();
 
 private:
     static constexpr double kLine_px = 3.0;
 
-    void rebuild();
-
     Trail m_trail;
+    bool m_changed = false; ///< since it was drawn
     SceneColours m_colours;
     Mesh m_line{Mesh::Shading::none, Mesh::Alpha::used};
 };

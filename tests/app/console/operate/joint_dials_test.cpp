@@ -69,14 +69,14 @@ private slots:
         core::JointVector q = core::JointVector::zeros(chain->joints());
         for (std::size_t i = 0; i < q.size(); ++i)
             q[i] = 0.3 - 0.1 * static_cast<double>(i);
-        const auto dials = console::chainDials(*chain, q, 0.02);
+        const console::ChainDials chainDials(std::make_shared<const arm_model::SerialChain>(*chain));
+        const auto dials = chainDials.at(q, 0.02);
         QCOMPARE(dials.size(), chain->joints());
         for (std::size_t joint = 0; joint < dials.size(); ++joint) {
             QCOMPARE(dials[joint].angle_rad, q[joint]);
             core::JointVector turned_q = q;
             turned_q[joint] += 0.2;
-            QVERIFY(isSame(console::chainDials(*chain, turned_q, 0.02)[joint].X_World_Joint,
-                           dials[joint].X_World_Joint));
+            QVERIFY(isSame(chainDials.at(turned_q, 0.02)[joint].X_World_Joint, dials[joint].X_World_Joint));
             const Eigen::Isometry3d& X = dials[joint].X_World_Joint;
             const Eigen::Isometry3d turn = X * Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ()) * X.inverse();
             QVERIFY(isSame(turn * chain->X_Base_Tip(q), chain->X_Base_Tip(turned_q)));
