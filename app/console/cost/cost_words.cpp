@@ -37,25 +37,51 @@ QString CostWords::quantity(double value, const QString& unit) {
                    : base::siQuantity(number, unit).simplified();
 }
 
+/// Shares differ by points, not by percent of each other.
+QString CostWords::difference(double from, double to, const QString& unit) {
+    const double difference = std::abs(to - from);
+    return unit == QStringLiteral("1")
+               ? tr("%1 percentage points").arg(base::threeDigits(100.0 * difference).trimmed())
+               : quantity(difference, unit);
+}
+
 QString CostWords::comparedWith(const cost::RungCost& other, const cost::RungCost& here,
                                 const QString& unit) {
-    constexpr double kTwice = 0.05; ///< so near to 2 is twice
+    constexpr double kNear = 0.05; ///< so near to 1 is the same, and to 2 twice
     const double ratio = here.timeMedian_s / other.timeMedian_s;
-    const QString time =
-        ratio >= 1.0                           ? std::abs(ratio - 2.0) < kTwice ? tr("twice as fast")
-                                                                                : tr("%1 times as fast").arg(factorText(ratio))
-                                  : std::abs(1.0 / ratio - 2.0) < kTwice ? tr("takes twice as long")
-                                               : tr("takes %1 times as long").arg(factorText(1.0 / ratio));
-    const QString difference = quantity(std::abs(other.errorMean - here.errorMean), unit);
+    QString time;
+    if (std::abs(ratio - 1.0) < kNear)
+        time = tr("as fast");
+    else if (ratio > 1.0)
+        time = std::abs(ratio - 2.0) < kNear ? tr("twice as fast")
+                                             : tr("%1 times as fast").arg(factorText(ratio));
+    else
+        time = std::abs(1.0 / ratio - 2.0) < kNear
+                   ? tr("takes twice as long")
+                   : tr("takes %1 times as long").arg(factorText(1.0 / ratio));
+    if (other.errorMean == here.errorMean)
+        return tr("%1, equally accurate").arg(time);
     //: How fast another setting is, and by how much its results are better or worse
-    return other.errorMean > here.errorMean ? tr("%1, %2 less exact").arg(time, difference)
-                                            : tr("%1, %2 more exact").arg(time, difference);
+    return (other.errorMean > here.errorMean ? tr("%1, %2 less accurate") : tr("%1, %2 more accurate"))
+        .arg(time, difference(here.errorMean, other.errorMean, unit));
+}
+
+QString CostWords::whyNotCompared(const cost::RungCost& rung) {
+    const QString name = QString::fromStdString(rung.name);
+    if (!rung.isTimed())
+        return tr("%1 has no time: the machine was too busy. Close other programs and measure again.")
+            .arg(name);
+    const QString time = quantity(rung.timeMedian_s, QStringLiteral("s"));
+    return rung.isLimit() ? tr("No way to do this job takes less than %1: the limit.").arg(time)
+                          : tr("%1 takes %2. It has no error to compare.").arg(name, time);
 }
 
 QString CostWords::about(const cost::LadderCost& job, const std::string& setting, bool inUse) {
     const auto found = std::ranges::find(job.rungs, setting, &cost::RungCost::name);
-    if (found == job.rungs.end() || !isKnown(*found))
+    if (found == job.rungs.end())
         return {};
+    if (!isKnown(*found))
+        return whyNotCompared(*found);
     const cost::RungCost& here = *found;
     const QString unit = QString::fromStdString(job.errorUnit);
     const QString name = QString::fromStdString(here.name);
@@ -73,27 +99,31 @@ QString CostWords::about(const cost::LadderCost& job, const std::string& setting
         if (!isKnown(other) || !other.pareto || &other == &here)
             continue;
         const bool isFaster = other.timeMedian_s < here.timeMedian_s;
+        const bool isSlower = other.timeMedian_s > here.timeMedian_s;
         const bool isBetter = other.errorMean < here.errorMean;
-        if (isFaster && isBetter && (beats == nullptr || other.errorMean < beats->errorMean))
-            beats = &other;
-        if (isFaster && !isBetter && (faster == nullptr || other.timeMedian_s > faster->timeMedian_s))
+        const bool isWorse = other.errorMean > here.errorMean;
+        if ((isFaster && !isWorse) || (isBetter && !isSlower)) {
+            if (beats == nullptr || other.errorMean < beats->errorMean)
+                beats = &other;
+        } else if (isFaster && (faster == nullptr || other.timeMedian_s > faster->timeMedian_s)) {
             faster = &other;
-        if (isBetter && !isFaster && (better == nullptr || other.timeMedian_s < better->timeMedian_s))
+        } else if (isBetter && (better == nullptr || other.timeMedian_s < better->timeMedian_s)) {
             better = &other;
+        }
     }
     if (beats != nullptr)
-        sentences << tr("%1 is better in both: %2.")
+        sentences << tr("%1 beats it: %2.")
                          .arg(QString::fromStdString(beats->name), comparedWith(*beats, here, unit));
     if (faster != nullptr)
         sentences << tr("Faster: %1, %2.")
                          .arg(QString::fromStdString(faster->name), comparedWith(*faster, here, unit));
     if (better != nullptr)
-        sentences << tr("More exact: %1, %2.")
+        sentences << tr("More accurate: %1, %2.")
                          .arg(QString::fromStdString(better->name), comparedWith(*better, here, unit));
     if (beats == nullptr && faster == nullptr)
         sentences << tr("No setting is faster.");
     if (beats == nullptr && better == nullptr)
-        sentences << tr("No setting is more exact.");
+        sentences << tr("No setting is more accurate.");
     return sentences.join(QLatin1Char(' '));
 }
 

@@ -15,12 +15,14 @@ public:
     /// A measured value with its unit; "1" is a share and shown in percent.
     [[nodiscard]] static QString quantity(double value, const QString& unit);
 
-    /// One sentence about a setting, and one each about the next faster and the next more exact one of those
-    /// that no other setting beats; or that another one beats it in both. setting: its name; inUse: it runs
-    /// now. Empty where it was not timed or has no error.
+    /// One sentence about a setting, and one each about the next faster and the next more accurate one of
+    /// those that no other setting beats; or that another one beats it. Of the limit, and of a setting
+    /// without a time or an error, what it is. setting: its name; inUse: it runs now. Empty: it is unknown.
     [[nodiscard]] static QString about(const cost::LadderCost& job, const std::string& setting, bool inUse);
 
 private:
+    [[nodiscard]] static QString whyNotCompared(const cost::RungCost& rung);
+    [[nodiscard]] static QString difference(double from, double to, const QString& unit);
     [[nodiscard]] static QString comparedWith(const cost::RungCost& other, const cost::RungCost& here,
                                               const QString& unit);
 };

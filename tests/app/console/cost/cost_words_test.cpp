@@ -47,26 +47,40 @@ private slots:
     void theNeighboursOnBothSidesAreNamedWithWhatTheyChange() {
         QCOMPARE(about("middle", true),
                  QStringLiteral("In use: middle. It takes 2.00 ms and is off by 200 \u00b5m on average. "
-                                "Faster: fast, twice as fast, 200 \u00b5m less exact. "
-                                "More exact: slow, takes 2.5 times as long, 100 \u00b5m more exact."));
+                                "Faster: fast, twice as fast, 200 \u00b5m less accurate. "
+                                "More accurate: slow, takes 2.5 times as long, 100 \u00b5m more accurate."));
     }
     void atAnEndThereIsNothingBeyond() {
         QVERIFY(about("fast").startsWith("fast takes 1.00 ms and is off by 400 "));
-        QVERIFY(about("fast").contains("More exact: middle, takes twice as long, 200 "));
+        QVERIFY(about("fast").contains("More accurate: middle, takes twice as long, 200 "));
         QVERIFY(about("fast").endsWith("No setting is faster."));
         QVERIFY(about("slow").contains("Faster: middle, 2.5 times as fast, 100 "));
-        QVERIFY(about("slow").endsWith("No setting is more exact."));
+        QVERIFY(about("slow").endsWith("No setting is more accurate."));
     }
     void aSettingThatAnotherOneBeatsSaysSo() {
-        QVERIFY2(about("bad").contains("middle is better in both: 1.5 times as fast, 300 "),
-                 qPrintable(about("bad")));
+        QVERIFY2(about("bad").contains("middle beats it: 1.5 times as fast, 300 "), qPrintable(about("bad")));
     }
-    void nothingIsSaidWithoutATimeOrAnError() {
-        QVERIFY(about("limit").isEmpty());
+    void equalTimesAndErrorsAreNoDifference() {
+        cost::LadderCost equal{
+            "job",
+            "m",
+            {setting("a", 0.001, 0.0002), setting("b", 0.004, 0.0002), setting("c", 0.001, 0.0004)}};
+        cost::markFrontier(equal.rungs);
+        const auto said = [&](const char* name) {
+            return CostWords::about(equal, name, false).replace(QChar(0x00a0), QLatin1Char(' '));
+        };
+        QVERIFY2(said("b").contains("a beats it: 4 times as fast, equally accurate."), qPrintable(said("b")));
+        QVERIFY2(said("c").contains("a beats it: as fast, 200 \u00b5m more accurate."),
+                 qPrintable(said("c")));
+        QVERIFY2(said("a").endsWith("No setting is faster. No setting is more accurate."),
+                 qPrintable(said("a")));
+    }
+    void aSettingWithoutATimeOrAnErrorSaysWhy() {
+        QVERIFY2(about("limit").contains("takes less than 100 \u00b5s"), qPrintable(about("limit")));
         QVERIFY(about("unknown").isEmpty());
         cost::LadderCost noisy = job();
         noisy.rungs[1].timeMedian_s = std::nan("");
-        QVERIFY(CostWords::about(noisy, "middle", true).isEmpty());
+        QVERIFY(CostWords::about(noisy, "middle", true).startsWith("middle has no time: "));
         // And it is no neighbour.
         QVERIFY(CostWords::about(noisy, "fast", false).contains("slow"));
     }
@@ -74,7 +88,7 @@ private slots:
         cost::LadderCost shares{"job", "1", {setting("a", 0.001, 0.2), setting("b", 0.002, 0.125)}};
         cost::markFrontier(shares.rungs);
         const QString text = CostWords::about(shares, "a", false).replace(QChar(0x00a0), QLatin1Char(' '));
-        QVERIFY2(text.contains("7.50 % more exact"), qPrintable(text));
+        QVERIFY2(text.contains("7.50 percentage points more accurate"), qPrintable(text));
     }
 };
 
