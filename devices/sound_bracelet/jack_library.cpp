@@ -62,7 +62,7 @@ core::Expected<JackLibrary> loadJack(const std::string& path) {
     Loader loader{dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)};
     if (loader.library == nullptr)
         return failed(dlerror());
-    JackLibrary jack{.path = path};
+    JackLibrary jack{};
     loader.find(jack.clientOpen, "jack_client_open");
     loader.find(jack.clientClose, "jack_client_close");
     loader.find(jack.activate, "jack_activate");

@@ -30,8 +30,6 @@ inline constexpr int kJackPlaybackLatency = 1;
 /// The functions of a JACK library that was loaded at run time: PipeWire's or JACK's own. It stays loaded.
 /// Thread: any.
 struct JackLibrary {
-    std::string path{}; ///< of the library
-
     JackClient* (*clientOpen)(const char* name, int options, int* status, ...) = nullptr;
     int (*clientClose)(JackClient*) = nullptr;
     int (*activate)(JackClient*) = nullptr;

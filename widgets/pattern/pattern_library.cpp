@@ -148,11 +148,11 @@ bool PatternLibrary::fitPictures() {
         lengths = std::max(lengths, widthOf(1));
     }
     lengths += base::em(this, kAroundText_em);
-    // Patterns are a level below their groups.
     // The viewport has its size only once it is shown.
     const int room = m_tree->contentsRect().width() - m_tree->verticalScrollBar()->sizeHint().width() -
                      longest - base::em(this, kAroundText_em);
     const auto isRoomFor = [&](const QSizeF& picture_em, double indent_em) {
+        // Patterns are a level below their groups.
         return base::em(this, picture_em.width() + 2.0 * indent_em) + lengths <= room;
     };
     const bool isLarge = isRoomFor(kPicture_em, kIndent_em);
