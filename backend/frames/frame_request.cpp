@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/frames/frame_request.h"
 
+#include "backend/core/data/file_kind.h"
+
+#include <QByteArray>
+#include <QFile>
+#include <QFileInfo>
+
 #include <algorithm>
 #include <charconv>
 
@@ -35,6 +41,37 @@ std::optional<std::vector<ColumnRange>> columnRangesOf(std::string_view text) {
         begin = end + 1;
     }
     return ranges;
+}
+
+std::string textOf(const std::vector<ColumnRange>& ranges) {
+    std::string text;
+    for (const ColumnRange& range : ranges) {
+        if (!text.empty())
+            text += ',';
+        text += std::to_string(range.first);
+        if (range.last != range.first)
+            text += ".." + std::to_string(range.last);
+    }
+    return text;
+}
+
+std::string familyOf(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!QFileInfo(file).isFile() || !file.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray head = file.read(core::kFileKindBytes);
+    const core::FileKind kind = core::fileKindOf(head.toStdString());
+    std::string family = "kind " + std::to_string(static_cast<int>(kind));
+    if (kind != core::FileKind::text)
+        return family;
+    const QByteArray line = head.split('\n').constFirst().trimmed();
+    constexpr std::string_view kSeparators = ",;\t ";
+    constexpr std::string_view kOfNumbers = "0123456789+-.eE,;\t ";
+    if (line.toStdString().find_first_not_of(kOfNumbers) != std::string::npos)
+        return family + ' ' + line.toStdString();
+    const auto separators =
+        std::ranges::count_if(line, [&](char c) { return kSeparators.find(c) != std::string_view::npos; });
+    return family + ", " + std::to_string(separators) + " separators";
 }
 
 } // namespace teleta::frames

@@ -43,4 +43,12 @@ struct FrameRequest {
 /// Columns of a table as text, "2..85" or "2..10,12"; nothing for another text. Thread: any (pure).
 [[nodiscard]] std::optional<std::vector<ColumnRange>> columnRangesOf(std::string_view text);
 
+/// The other way round; empty for none. Thread: any (pure).
+[[nodiscard]] std::string textOf(const std::vector<ColumnRange>& ranges);
+
+/// What the files have in common that one program writes in one way: what a file is, and of a text the names
+/// or the number of its columns. What was said about one of them may be right for the next. Empty for a file
+/// that cannot be read. Reads its first bytes. Thread: any.
+[[nodiscard]] std::string familyOf(const std::string& path);
+
 } // namespace teleta::frames

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace teleta::console {
@@ -20,6 +21,12 @@ QString recordingGroup(const QString& path) {
     const QByteArray hash =
         QCryptographicHash::hash(QFileInfo(path).absoluteFilePath().toUtf8(), QCryptographicHash::Sha1);
     return QStringLiteral("recordings/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char('/');
+}
+
+QString frameGroup(const std::string& family) {
+    const QByteArray hash =
+        QCryptographicHash::hash(QByteArray::fromStdString(family), QCryptographicHash::Sha1);
+    return QStringLiteral("frames/") + QString::fromLatin1(hash.toHex().left(16)) + QLatin1Char('/');
 }
 
 /// Before QSettings writes what it could read over it. The copy; empty: there is none.
@@ -171,6 +178,50 @@ void ConsoleSettings::setRecording(const app::CsvRequest& request) {
     set(group + QStringLiteral("threshold"), request.threshold_N);
     set(group + QStringLiteral("rate_Hz"), request.rate_Hz);
     set(group + QStringLiteral("unit"), QString::fromStdString(request.loadUnit));
+}
+
+std::optional<frames::FrameRequest> ConsoleSettings::frameRequest(const std::string& family) const {
+    const QString group = frameGroup(family);
+    if (family.empty() || !m_settings || !m_settings->contains(group + QStringLiteral("axis")))
+        return std::nullopt;
+    const auto value = [&](const char* key) { return m_settings->value(group + QLatin1String(key)); };
+    const auto side = [&](const char* key) {
+        const int number = value(key).toInt();
+        return number > 0 && number <= core::ArrayLayout::kMaximumSide ? std::optional(number) : std::nullopt;
+    };
+    const auto positive = [&](const char* key) {
+        const double number = value(key).toDouble();
+        return number > 0.0 && std::isfinite(number) ? std::optional(number) : std::nullopt;
+    };
+    const int axis = value("axis").toInt();
+    frames::FrameRequest request;
+    request.array = value("array").toString().toStdString();
+    if (axis >= 0 && axis <= static_cast<int>(frames::FrameAxis::last))
+        request.axis = static_cast<frames::FrameAxis>(axis);
+    request.rows = side("rows");
+    request.columns = side("columns");
+    request.pitch_m = positive("pitch_m");
+    request.rate_Hz = positive("rate_Hz");
+    request.taxelColumns = frames::columnRangesOf(value("taxels").toString().toStdString())
+                               .value_or(std::vector<frames::ColumnRange>());
+    request.timeColumn = value("time").toString().toStdString();
+    request.timeUnit = value("time_unit").toString().toStdString();
+    return request;
+}
+
+void ConsoleSettings::setFrameRequest(const std::string& family, const frames::FrameRequest& request) {
+    if (family.empty())
+        return;
+    const QString group = frameGroup(family);
+    set(group + QStringLiteral("array"), QString::fromStdString(request.array));
+    set(group + QStringLiteral("axis"), static_cast<int>(request.axis));
+    set(group + QStringLiteral("rows"), request.rows.value_or(0));
+    set(group + QStringLiteral("columns"), request.columns.value_or(0));
+    set(group + QStringLiteral("pitch_m"), request.pitch_m.value_or(0.0));
+    set(group + QStringLiteral("rate_Hz"), request.rate_Hz.value_or(0.0));
+    set(group + QStringLiteral("taxels"), QString::fromStdString(frames::textOf(request.taxelColumns)));
+    set(group + QStringLiteral("time"), QString::fromStdString(request.timeColumn));
+    set(group + QStringLiteral("time_unit"), QString::fromStdString(request.timeUnit));
 }
 
 QString ConsoleSettings::text(const QString& key, const QString& fallback) const {

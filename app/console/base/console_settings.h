@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/sources/source_request.h"
+#include "backend/frames/frame_request.h"
 
 #include <QByteArray>
 #include <QMap>
@@ -11,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace teleta::console {
 
@@ -120,6 +122,10 @@ public:
     /// How a recording was opened the last time.
     [[nodiscard]] std::optional<app::CsvRequest> recording(const QString& path) const;
     void setRecording(const app::CsvRequest& request);
+
+    /// What was said last about a file of frames of this family, see frames::familyOf(); without a path.
+    [[nodiscard]] std::optional<frames::FrameRequest> frameRequest(const std::string& family) const;
+    void setFrameRequest(const std::string& family, const frames::FrameRequest& request);
 
     /// The camera that was opened the last time.
     [[nodiscard]] app::CameraRequest camera() const {

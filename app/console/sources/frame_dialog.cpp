@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/frame_dialog.h"
 
+#include "app/console/sources/frame_preview.h"
 #include "backend/core/data/array_layout.h"
 #include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
@@ -15,7 +16,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStringList>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,14 +39,6 @@ QDoubleSpinBox* makeNumber(double value, double highest, int decimals, const QSt
     return box;
 }
 
-QString textOf(const std::vector<frames::ColumnRange>& ranges) {
-    QStringList parts;
-    for (const frames::ColumnRange& range : ranges)
-        parts << (range.first == range.last ? QString::number(range.first)
-                                            : QStringLiteral("%1..%2").arg(range.first).arg(range.last));
-    return parts.join(QLatin1Char(','));
-}
-
 } // namespace
 
 FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why, QWidget* parent)
@@ -61,8 +53,10 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     , m_timeColumn(new QLineEdit(QString::fromStdString(request.timeColumn)))
     , m_timeUnit(new QComboBox)
     , m_rate_Hz(makeNumber(request.rate_Hz.value_or(0.0), 100'000.0, 3, tr(" Hz")))
-    , m_verdict(new QLabel) {
+    , m_verdict(new QLabel)
+    , m_preview(new FramePreview(this)) {
     setWindowTitle(tr("Open frames"));
+    m_timeColumn->setObjectName(QStringLiteral("timeColumn"));
     m_rate_Hz->setObjectName(QStringLiteral("rate"));
     m_array->setText(QString::fromStdString(request.array));
     m_array->setPlaceholderText(tr("the only one, or the one named frames"));
@@ -79,7 +73,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     m_columns->setAccessibleName(tr("Columns"));
     for (QDoubleSpinBox* box : {m_pitch_mm, m_rate_Hz})
         box->setSpecialValueText(tr("as the file says"));
-    m_taxelColumns->setText(textOf(request.taxelColumns));
+    m_taxelColumns->setText(QString::fromStdString(frames::textOf(request.taxelColumns)));
     m_taxelColumns->setPlaceholderText(QStringLiteral("2..85"));
     m_taxelColumns->setToolTip(tr("Columns of a table that are taxels, counted from 1"));
     m_timeColumn->setPlaceholderText(tr("name or number of the column"));
@@ -91,6 +85,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     auto* reason = new QLabel(why);
     reason->setObjectName(QStringLiteral("why"));
     reason->setWordWrap(true);
+    reason->setVisible(!why.isEmpty());
     reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* sizeRow = new QHBoxLayout;
     sizeRow->addWidget(m_rows);
@@ -117,11 +112,19 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     m_accept = buttons->button(QDialogButtonBox::Open);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_taxelColumns, &QLineEdit::textChanged, this, &FrameDialog::check);
+    for (QLineEdit* text : {m_array, m_taxelColumns, m_timeColumn})
+        connect(text, &QLineEdit::textChanged, this, &FrameDialog::check);
+    for (QComboBox* box : {m_axis, m_timeUnit})
+        connect(box, &QComboBox::currentIndexChanged, this, &FrameDialog::check);
+    for (QSpinBox* box : {m_rows, m_columns})
+        connect(box, &QSpinBox::valueChanged, this, &FrameDialog::check);
+    connect(m_rate_Hz, &QDoubleSpinBox::valueChanged, this, &FrameDialog::check);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(reason);
-    layout->addLayout(form);
-    layout->addStretch(1);
+    auto* both = new QHBoxLayout;
+    both->addLayout(form);
+    both->addWidget(m_preview, 1);
+    layout->addLayout(both, 1);
     layout->addWidget(buttons);
     check();
 }
@@ -132,6 +135,8 @@ void FrameDialog::check() {
     m_verdict->setText(fits ? QString() : tr("Columns are numbers and ranges, such as 2..85 or 2..10,12."));
     base::setTextColour(m_verdict, base::statusColours(palette()).lost);
     m_accept->setEnabled(fits);
+    if (fits)
+        m_preview->setRequest(request());
 }
 
 frames::FrameRequest FrameDialog::request() const {

@@ -15,8 +15,11 @@ class QSpinBox;
 
 namespace teleta::console {
 
+class FramePreview;
+
 /// Asks what a file of frames leaves open: which array, its shape, columns of a table, times. Says first why
-/// it is asked. Window modal, opened by the user, never by a device. Thread: GUI.
+/// it is asked, and shows the first frames as they are read with what is chosen. Window modal, opened by the
+/// user, never by a device. Thread: GUI.
 class FrameDialog : public QDialog {
     Q_OBJECT
 
@@ -40,6 +43,7 @@ private:
     QComboBox* m_timeUnit;
     QDoubleSpinBox* m_rate_Hz;
     QLabel* m_verdict;
+    FramePreview* m_preview;
     QPushButton* m_accept;
 };
 

@@ -87,6 +87,31 @@ private slots:
         QVERIFY(!ConsoleSettings(false).recording("/somewhere/other.csv").has_value());
     }
 
+    void remembersHowFramesOfAFamilyAreRead() {
+        teleta::frames::FrameRequest request;
+        request.path = "/somewhere/a.csv";
+        request.array = "pressure";
+        request.axis = teleta::frames::FrameAxis::last;
+        request.rows = 4;
+        request.rate_Hz = 50.0;
+        request.taxelColumns = {{2, 10}, {12, 12}};
+        request.timeColumn = "stamp";
+        request.timeUnit = "ms";
+        { ConsoleSettings(false).setFrameRequest("family", request); }
+        const ConsoleSettings settings(false);
+        const auto known = settings.frameRequest("family");
+        QVERIFY(known);
+        QCOMPARE(known->path, std::string());
+        QCOMPARE(known->array, std::string("pressure"));
+        QVERIFY(known->axis == teleta::frames::FrameAxis::last);
+        QVERIFY(known->rows == 4 && !known->columns && known->rate_Hz == 50.0 && !known->pitch_m);
+        QCOMPARE(teleta::frames::textOf(known->taxelColumns), std::string("2..10,12"));
+        QCOMPARE(known->timeColumn, std::string("stamp"));
+        QCOMPARE(known->timeUnit, std::string("ms"));
+        QVERIFY(!settings.frameRequest("another"));
+        QVERIFY(!settings.frameRequest(""));
+    }
+
     void remembersNothingWhenFresh() {
         {
             ConsoleSettings settings(true);

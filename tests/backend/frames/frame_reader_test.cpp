@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/backend/frames/frame_reading.h"
 
+#include <fstream>
+
 using teleta::frames::FrameRequest;
 using FrameReaderTest = teleta::test::FrameReadingTest;
 
@@ -36,6 +38,21 @@ TEST_F(FrameReaderTest, aMissingFileIsNotFound) {
     EXPECT_EQ(series.error().kind, teleta::core::ErrorKind::notFound);
 }
 
+TEST_F(FrameReaderTest, aFamilyHasTheSameColumnsOrIsOfTheSameKind) {
+    const auto family = [this](const std::string& content) {
+        std::ofstream(m_folder.path("file"), std::ios::binary) << content;
+        return teleta::frames::familyOf(m_folder.path("file"));
+    };
+    const std::string named = family("stamp;a;b\n1;2;3\n");
+    EXPECT_EQ(family("stamp;a;b\r\n7;8;9\n1;2;3\n"), named);
+    EXPECT_NE(family("stamp;b;a\n1;2;3\n"), named);
+    const std::string bare = family("1.5,2,3\n4,5,6\n");
+    EXPECT_EQ(family("-7e3,8,9"), bare);
+    EXPECT_NE(family("1,2\n"), bare);
+    EXPECT_NE(family("PK\x03\x04 zip"), family("\x93NUMPY npy"));
+    EXPECT_EQ(teleta::frames::familyOf(m_folder.path("nowhere")), "");
+}
+
 TEST_F(FrameReaderTest, columnsAreNumbersAndRanges) {
     using teleta::frames::columnRangesOf;
     const auto ranges = columnRangesOf("2..10,12");
@@ -43,6 +60,7 @@ TEST_F(FrameReaderTest, columnsAreNumbersAndRanges) {
     ASSERT_EQ(ranges->size(), 2U);
     EXPECT_EQ((*ranges)[0].last, 10U);
     EXPECT_EQ((*ranges)[1].first, 12U);
+    EXPECT_EQ(teleta::frames::textOf(*ranges), "2..10,12");
     for (const char* wrong :
          {"", "0..3", "5..3", "2..", "..3", "2...4", "a", "1,,2", "1..99999999999999999999"})
         EXPECT_FALSE(columnRangesOf(wrong)) << wrong;

@@ -11,9 +11,21 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace teleta::console {
+
+namespace {
+
+/// Without the folder, which makes the sentence long.
+QString reasonOf(core::Error error) {
+    error.where.file = QFileInfo(QString::fromStdString(error.where.file)).fileName().toStdString();
+    return QString::fromStdString(core::describe(error));
+}
+
+} // namespace
 
 RecordingFiles::RecordingFiles(SourceManager& sources, ConsoleSettings& settings, QWidget* window)
     : QObject(window)
@@ -40,12 +52,15 @@ void RecordingFiles::open(const QString& path) {
         return;
     }
     base::runInBackground(
-        this, [path] { return app::guessCsv(path.toStdString()); },
-        [this, path](core::Expected<app::CsvRequest> guess) {
+        this,
+        [path] { return std::pair(app::guessCsv(path.toStdString()), frames::familyOf(path.toStdString())); },
+        [this, path](const std::pair<core::Expected<app::CsvRequest>, std::string>& found) {
+            const auto& [guess, family] = found;
             if (guess)
                 askHow(*guess);
             else if (guess.error().kind == core::ErrorKind::badInput)
-                import(path, m_lastRequests.value(QFileInfo(path).suffix())); // a table of another program
+                // a table of another program
+                import(path, m_settings.frameRequest(family).value_or(frames::FrameRequest()));
             else
                 emit failed(QFileInfo(path).fileName(), guess.error());
         });
@@ -108,30 +123,40 @@ void RecordingFiles::play(const QString& path) {
 
 void RecordingFiles::onNotImported(const QString& file, const core::Error& error) {
     if (!app::isMcapName(file) && error.kind == core::ErrorKind::badInput)
-        askFrames(file, error);
+        askFrames(file, reasonOf(error));
     else
         emit failed(QFileInfo(file).fileName(), error);
 }
 
-void RecordingFiles::askFrames(const QString& file, const core::Error& why) {
-    const QString ending = QFileInfo(file).suffix();
-    frames::FrameRequest known = m_lastRequests.value(ending);
+void RecordingFiles::askFrames(const QString& file, const QString& why) {
+    base::runInBackground(
+        this, [file] { return frames::familyOf(file.toStdString()); },
+        [this, file, why](const std::string& family) { askFrames(file, why, family); });
+}
+
+void RecordingFiles::askFrames(const QString& file, const QString& why, const std::string& family) {
+    frames::FrameRequest known = m_settings.frameRequest(family).value_or(frames::FrameRequest());
     known.path = file.toStdString();
-    core::Error reason = why;
-    reason.where.file = QFileInfo(file).fileName().toStdString(); // its folder makes the sentence long
-    auto* dialog = new FrameDialog(known, QString::fromStdString(core::describe(reason)), m_window);
+    auto* dialog = new FrameDialog(known, why, m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, file, ending] {
-        m_lastRequests.insert(ending, dialog->request());
-        import(file, dialog->request());
+    connect(dialog, &QDialog::accepted, this, [this, dialog, file, family, isChange = why.isEmpty()] {
+        m_settings.setFrameRequest(family, dialog->request());
+        if (isChange)
+            m_import.start(file, RecordingImport::freeName(recordingOf(file)), dialog->request());
+        else
+            import(file, dialog->request());
     });
     connect(dialog, &QDialog::rejected, this, [this, file] { emit cancelled(file); });
     dialog->open();
 }
 
-void RecordingFiles::import(const QString& file, const frames::FrameRequest& request) {
+QString RecordingFiles::recordingOf(const QString& file) const {
     const QString chosen = m_settings.recordingFolder();
-    const QString recording = RecordingImport::recordingOf(file, chosen.isEmpty() ? usualFolder() : chosen);
+    return RecordingImport::recordingOf(file, chosen.isEmpty() ? usualFolder() : chosen);
+}
+
+void RecordingFiles::import(const QString& file, const frames::FrameRequest& request) {
+    const QString recording = recordingOf(file);
     if (QFileInfo::exists(file) && QFileInfo::exists(recording))
         askWhether(file, recording, request);
     else
@@ -150,18 +175,26 @@ void RecordingFiles::askWhether(const QString& file, const QString& recording,
             .arg(QFileInfo(file).fileName(), QFileInfo(another).fileName()));
     auto* open = box->addButton(tr("&Open the recording"), QMessageBox::AcceptRole);
     auto* again = box->addButton(tr("&Import again"), QMessageBox::ActionRole);
+    auto* change = app::isMcapName(file)
+                       ? nullptr
+                       : box->addButton(tr("Import with other &choices\u2026"), QMessageBox::ActionRole);
+    if (change != nullptr)
+        change->setObjectName(QStringLiteral("importOtherwise"));
     open->setObjectName(QStringLiteral("openRecording"));
     again->setObjectName(QStringLiteral("importAgain"));
     box->setDefaultButton(open);
-    connect(box, &QDialog::finished, this, [this, box, open, again, file, recording, another, request] {
-        if (box->clickedButton() == again) {
-            m_import.start(file, another, request);
-        } else {
-            emit cancelled(file);
-            if (box->clickedButton() == open)
-                play(recording);
-        }
-    });
+    connect(box, &QDialog::finished, this,
+            [this, box, open, again, change, file, recording, another, request] {
+                if (box->clickedButton() == again) {
+                    m_import.start(file, another, request);
+                } else if (change != nullptr && box->clickedButton() == change) {
+                    askFrames(file, {});
+                } else {
+                    emit cancelled(file);
+                    if (box->clickedButton() == open)
+                        play(recording);
+                }
+            });
     box->open();
 }
 

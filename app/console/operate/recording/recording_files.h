@@ -6,10 +6,11 @@
 #include "app/console/sources/recording_arguments.h"
 #include "app/console/sources/source_manager.h"
 
-#include <QHash>
 #include <QObject>
 #include <QString>
 #include <QWidget>
+
+#include <string>
 
 namespace teleta::console {
 
@@ -46,10 +47,14 @@ signals:
 private:
     void play(const QString& path);
     void askHow(const app::CsvRequest& guess);
+    /// Where the recording of an imported file belongs.
+    [[nodiscard]] QString recordingOf(const QString& file) const;
     void import(const QString& file, const frames::FrameRequest& request = {});
     void onNotImported(const QString& file, const core::Error& error);
     /// What a file of frames leaves open.
-    void askFrames(const QString& file, const core::Error& why);
+    /// why: what is wrong with what was known; empty: a person wants to change it.
+    void askFrames(const QString& file, const QString& why);
+    void askFrames(const QString& file, const QString& why, const std::string& family);
     /// A recording is where that of the file belongs.
     void askWhether(const QString& file, const QString& recording, const frames::FrameRequest& request);
 
@@ -57,7 +62,6 @@ private:
     ConsoleSettings& m_settings;
     QWidget* m_window;
     RecordingImport m_import;
-    QHash<QString, frames::FrameRequest> m_lastRequests; ///< by the ending of the name
 };
 
 } // namespace teleta::console

@@ -2,6 +2,7 @@
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/operate/recording/recording_import.h"
 #include "app/console/sources/frame_dialog.h"
+#include "backend/frames/frame_request.h"
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
@@ -16,6 +17,7 @@
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -165,7 +167,9 @@ private slots:
 
         core::StopSwitch stop;
         console::SourceManager sources(stop);
-        console::ConsoleSettings settings(true);
+        QTemporaryDir kept;
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, kept.path());
+        console::ConsoleSettings settings(false);
         auto* window = new QWidget;
         auto* recordings = new RecordingFiles(sources, settings, window);
         QSignalSpy opened(recordings, &RecordingFiles::opened);
@@ -199,6 +203,23 @@ private slots:
         const auto extent = recording->extent(0);
         QVERIFY(extent && *extent);
         QCOMPARE((*extent)->frames, std::uint64_t(3));
+
+        // The next file of this kind is read in the same way, unless a person says otherwise.
+        const auto known = settings.frameRequest(frames::familyOf(array.fileName().toStdString()));
+        QVERIFY(known && known->rate_Hz == 50.0);
+        recordings->open(array.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(window->findChild<QMessageBox*>() != nullptr, kPatience_ms);
+        window->findChild<QMessageBox*>()->findChild<QPushButton*>("importOtherwise")->click();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatience_ms);
+        QVERIFY(!dialog()->findChild<QLabel*>("why")->isVisible());
+        QCOMPARE(dialog()->findChild<QDoubleSpinBox*>("rate")->value(), 50.0);
+        dialog()->findChild<QDoubleSpinBox*>("rate")->setValue(25.0);
+        dialog()->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open)->click();
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, kPatience_ms);
+        QCOMPARE(opened[1][0].toString(), file("frames-2.teleta"));
+        const auto slower = recording::Recording::open(file("frames-2.teleta").toStdString());
+        QVERIFY(slower && slower->streams().front().nominalRate_Hz == 25.0);
         sources.closeAll();
         delete window;
         QVERIFY(QFile::remove(array.fileName()));

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/sources/frame_dialog.h"
+#include "app/console/sources/frame_preview.h"
+#include "widgets/base/colour_maps.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <memory>
+
+using namespace teleta;
+using console::FrameDialog;
+using console::FramePreview;
+
+namespace {
+
+constexpr int kPatience_ms = 30'000;
+
+} // namespace
+
+/// The first frames of a file, while a person says how it is to be read.
+class FramePreviewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        QFile table(m_folder.filePath(QStringLiteral("other.csv")));
+        QVERIFY(table.open(QIODevice::WriteOnly));
+        table.write("stamp_s,a,b,c,d,e,f\n0,0,1,2,3,4,10\n0.5,10,1,2,3,4,nan\n");
+    }
+
+    void init() {
+        m_preview = std::make_unique<FramePreview>();
+        m_preview->resize(400, 400);
+        m_preview->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_preview.get()));
+    }
+
+    void showsEachFrameInColours() {
+        m_preview->setRequest(request(2));
+        QTRY_COMPARE_WITH_TIMEOUT(text("about"), QStringLiteral("2 frame(s) of 2 \u00d7 3 taxels, 0 to 10"),
+                                  kPatience_ms);
+        QVERIFY(!m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
+        QCOMPARE(taxel(0, 0), QColor(base::cividis().front()));
+        QCOMPARE(taxel(1, 2), QColor(base::cividis().back()));
+        auto* slider = m_preview->findChild<QSlider*>(QStringLiteral("frame"));
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(taxel(0, 0), QColor(base::cividis().back()));
+        QCOMPARE(taxel(1, 2).rgb(), m_preview->palette().color(QPalette::Mid).rgb());
+    }
+
+    void theLastRequestIsShown() {
+        m_preview->setRequest(request(2));
+        m_preview->setRequest(request(3));
+        QTRY_VERIFY_WITH_TIMEOUT(text("about").contains(QStringLiteral("of 3 \u00d7 2 taxels")),
+                                 kPatience_ms);
+    }
+
+    void whatCannotBeReadSaysWhy() {
+        frames::FrameRequest wrong = request(4);
+        m_preview->setRequest(wrong);
+        QTRY_COMPARE_WITH_TIMEOUT(text("about"), QStringLiteral("No frame to show."), kPatience_ms);
+        QVERIFY2(text("problem").startsWith(QStringLiteral("other.csv")), qPrintable(text("problem")));
+        // And is right again after a change.
+        m_preview->setRequest(request(2));
+        QTRY_VERIFY_WITH_TIMEOUT(text("about").startsWith(QStringLiteral("2 frame")), kPatience_ms);
+        QVERIFY(!m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
+    }
+
+    void framesWithoutTimesAreShownAndTheTimesAskedFor() {
+        frames::FrameRequest untimed = request(2);
+        untimed.timeColumn.clear();
+        m_preview->setRequest(untimed);
+        QTRY_VERIFY_WITH_TIMEOUT(text("about").startsWith(QStringLiteral("2 frame")), kPatience_ms);
+        QVERIFY(m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
+        untimed.rate_Hz = 100.0;
+        m_preview->setRequest(untimed);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible(),
+                                 kPatience_ms);
+    }
+
+    void theDialogShowsWhatItsFieldsSay() {
+        frames::FrameRequest open;
+        open.path = request(2).path;
+        FrameDialog dialog(open, QStringLiteral("why"));
+        dialog.show();
+        auto* about = dialog.findChild<QLabel*>(QStringLiteral("about"));
+        QTRY_COMPARE_WITH_TIMEOUT(about->text(), QStringLiteral("No frame to show."), kPatience_ms);
+        QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("taxelColumns")),
+                         QStringLiteral("2..7"));
+        dialog.findChild<QSpinBox*>(QStringLiteral("rows"))->setValue(3);
+        QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("timeColumn")),
+                         QStringLiteral("stamp_s"));
+        QTRY_VERIFY_WITH_TIMEOUT(about->text().startsWith(QStringLiteral("2 frame(s) of 3 \u00d7 2")),
+                                 kPatience_ms);
+    }
+
+private:
+    [[nodiscard]] frames::FrameRequest request(int rows) const {
+        frames::FrameRequest request;
+        request.path = m_folder.filePath(QStringLiteral("other.csv")).toStdString();
+        request.taxelColumns = {{2, 7}};
+        request.timeColumn = "stamp_s";
+        request.rows = rows;
+        return request;
+    }
+    [[nodiscard]] QString text(const char* name) const {
+        return m_preview->findChild<QLabel*>(QLatin1String(name))->text();
+    }
+    /// Of the 2 x 3 array, as it is painted.
+    [[nodiscard]] QColor taxel(int row, int column) const {
+        auto* picture = m_preview->findChild<QWidget*>(QStringLiteral("framePicture"));
+        const QImage shown = picture->grab().toImage();
+        const double side = std::min(shown.width() / 3.0, shown.height() / 2.0);
+        return shown.pixelColor(static_cast<int>(shown.width() / 2.0 + (column - 1.0) * side),
+                                static_cast<int>(shown.height() / 2.0 + (row - 0.5) * side));
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<FramePreview> m_preview;
+};
+
+QTEST_MAIN(FramePreviewTest)
+#include "frame_preview_test.moc"
