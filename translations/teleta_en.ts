@@ -479,6 +479,24 @@
     </message>
 </context>
 <context>
+    <name>teleta::console::FramePreview</name>
+    <message numerus="yes">
+        <source>%n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <extracomment>Numbers of rows and columns, lowest and highest value</extracomment>
+        <translation>
+            <numerusform>%n frame of %1 × %2 taxels, %3 to %4</numerusform>
+            <numerusform>%n frames of %1 × %2 taxels, %3 to %4</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <translation>
+            <numerusform>The first frame of %1 × %2 taxels, %3 to %4</numerusform>
+            <numerusform>The first %n frames of %1 × %2 taxels, %3 to %4</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::LiveViewService</name>
     <message numerus="yes">
         <source>%n viewer(s)</source>

@@ -3000,33 +3000,12 @@ Exemples&#xa0;:
         <translation>prend %1 fois plus de temps</translation>
     </message>
     <message>
-        <source>%1, %2 less exact</source>
-        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
-        <translation>%1, moins exact de %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 more exact</source>
-        <translation>%1, plus exact de %2</translation>
-    </message>
-    <message>
-        <source>%1 is better in both: %2.</source>
-        <translation>%1 est meilleur sur les deux plans&#xa0;: %2.</translation>
-    </message>
-    <message>
         <source>Faster: %1, %2.</source>
         <translation>Plus rapide&#xa0;: %1, %2.</translation>
     </message>
     <message>
-        <source>More exact: %1, %2.</source>
-        <translation>Plus exact&#xa0;: %1, %2.</translation>
-    </message>
-    <message>
         <source>No setting is faster.</source>
         <translation>Aucun réglage n’est plus rapide.</translation>
-    </message>
-    <message>
-        <source>No setting is more exact.</source>
-        <translation>Aucun réglage n’est plus exact.</translation>
     </message>
     <message>
         <source>In use: %1. It takes %2 and is off by %3 on average.</source>
@@ -3036,6 +3015,51 @@ Exemples&#xa0;:
     <message>
         <source>%1 takes %2 and is off by %3 on average.</source>
         <translation>%1 prend %2 et s’écarte de %3 en moyenne.</translation>
+    </message>
+    <message>
+        <source>%1 percentage points</source>
+        <translation>%1 points de pourcentage</translation>
+    </message>
+    <message>
+        <source>as fast</source>
+        <translation>aussi rapide</translation>
+    </message>
+    <message>
+        <source>%1, equally accurate</source>
+        <translation>%1, aussi exact</translation>
+    </message>
+    <message>
+        <source>%1, %2 less accurate</source>
+        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
+        <translation>%1, moins exact de %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 more accurate</source>
+        <translation>%1, plus exact de %2</translation>
+    </message>
+    <message>
+        <source>%1 has no time: the machine was too busy. Close other programs and measure again.</source>
+        <translation>%1 n’a pas de durée&#xa0;: la machine était trop occupée. Fermez les autres programmes et mesurez de nouveau.</translation>
+    </message>
+    <message>
+        <source>No way to do this job takes less than %1: the limit.</source>
+        <translation>Aucune façon de faire ce travail ne prend moins de %1&#xa0;: c’est la limite.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2. It has no error to compare.</source>
+        <translation>%1 prend %2. Il n’a pas d’erreur à comparer.</translation>
+    </message>
+    <message>
+        <source>%1 beats it: %2.</source>
+        <translation>%1 fait mieux&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>More accurate: %1, %2.</source>
+        <translation>Plus exact&#xa0;: %1, %2.</translation>
+    </message>
+    <message>
+        <source>No setting is more accurate.</source>
+        <translation>Aucun réglage n’est plus exact.</translation>
     </message>
 </context>
 <context>
@@ -4754,6 +4778,10 @@ Exemples&#xa0;:
         <source>The light has jumped.</source>
         <translation>La lumière a changé brusquement.</translation>
     </message>
+    <message>
+        <source>The recorded pictures of the gel at rest have another size than the video.</source>
+        <translation>Les images enregistrées du gel au repos n’ont pas la taille de la vidéo.</translation>
+    </message>
 </context>
 <context>
     <name>GelPicture</name>
@@ -4830,6 +4858,14 @@ Exemples&#xa0;:
     <message>
         <source>the gel at rest could not be found: %1</source>
         <translation>le gel au repos n’a pas été trouvé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the scene ends before the gel at rest is known</source>
+        <translation>la scène finit avant que le gel au repos soit connu</translation>
+    </message>
+    <message>
+        <source>at least %1 pictures</source>
+        <translation>au moins %1 images</translation>
     </message>
 </context>
 <context>
@@ -8378,6 +8414,14 @@ Run %2 --help for more.
     <message>
         <source>frames of an array or a camera</source>
         <translation>des trames de matrice ou des images de caméra</translation>
+    </message>
+    <message>
+        <source>The gel at rest could not be found, so there are no contacts. %1</source>
+        <translation>Le gel au repos n’a pas pu être trouvé, il n’y a donc pas de contacts. %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames could not be used. The last reason: %3</source>
+        <translation>%1 trames sur %2 n’ont pas pu servir. La dernière raison&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -18222,7 +18266,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Tâches</translation>
     </message>
     <message>
-        <source>Jobs that can be done fast or exactly</source>
+        <source>Jobs that can be done fast or accurately</source>
         <translation>Tâches qui peuvent se faire vite ou exactement</translation>
     </message>
     <message>
@@ -18698,6 +18742,44 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
         <translation>Les colonnes sont des nombres et des plages, comme 2..85 ou 2..10,12.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::FramePreview</name>
+    <message>
+        <source>Frame</source>
+        <translation>Trame</translation>
+    </message>
+    <message>
+        <source>Choose a frame</source>
+        <translation>Choisir une trame</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Lecture…</translation>
+    </message>
+    <message>
+        <source>No frame to show.</source>
+        <translation>Aucune trame à montrer.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <extracomment>Numbers of rows and columns, lowest and highest value</extracomment>
+        <translation>
+            <numerusform>%n trame de %1 × %2 taxels, de %3 à %4</numerusform>
+            <numerusform>%n trames de %1 × %2 taxels, de %3 à %4</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <translation>
+            <numerusform>La première trame de %1 × %2 taxels, de %3 à %4</numerusform>
+            <numerusform>Les %n premières trames de %1 × %2 taxels, de %3 à %4</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 s</source>
+        <translation>Trame %1 sur %2, %3 s</translation>
     </message>
 </context>
 <context>
@@ -21194,6 +21276,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Open file</source>
         <translation>Ouvrir un fichier</translation>
+    </message>
+    <message>
+        <source>Import with other &amp;choices…</source>
+        <translation>Importer avec d’autres &amp;choix…</translation>
     </message>
 </context>
 <context>

@@ -2994,33 +2994,12 @@ Examples:
         <translation>%1倍の時間がかかる</translation>
     </message>
     <message>
-        <source>%1, %2 less exact</source>
-        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
-        <translation>%1、精度は%2低い</translation>
-    </message>
-    <message>
-        <source>%1, %2 more exact</source>
-        <translation>%1、精度は%2高い</translation>
-    </message>
-    <message>
-        <source>%1 is better in both: %2.</source>
-        <translation>%1は両方でまさります: %2。</translation>
-    </message>
-    <message>
         <source>Faster: %1, %2.</source>
         <translation>より速い: %1、%2。</translation>
     </message>
     <message>
-        <source>More exact: %1, %2.</source>
-        <translation>より正確: %1、%2。</translation>
-    </message>
-    <message>
         <source>No setting is faster.</source>
         <translation>これより速い設定はありません。</translation>
-    </message>
-    <message>
-        <source>No setting is more exact.</source>
-        <translation>これより正確な設定はありません。</translation>
     </message>
     <message>
         <source>In use: %1. It takes %2 and is off by %3 on average.</source>
@@ -3030,6 +3009,51 @@ Examples:
     <message>
         <source>%1 takes %2 and is off by %3 on average.</source>
         <translation>%1は%2かかり、平均で%3ずれます。</translation>
+    </message>
+    <message>
+        <source>%1 percentage points</source>
+        <translation>%1パーセントポイント</translation>
+    </message>
+    <message>
+        <source>as fast</source>
+        <translation>同じ速さ</translation>
+    </message>
+    <message>
+        <source>%1, equally accurate</source>
+        <translation>%1、精度は同じ</translation>
+    </message>
+    <message>
+        <source>%1, %2 less accurate</source>
+        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
+        <translation>%1、精度は%2悪化</translation>
+    </message>
+    <message>
+        <source>%1, %2 more accurate</source>
+        <translation>%1、精度は%2向上</translation>
+    </message>
+    <message>
+        <source>%1 has no time: the machine was too busy. Close other programs and measure again.</source>
+        <translation>%1には時間がありません。コンピューターの負荷が高すぎました。他のプログラムを閉じて、もう一度測定してください。</translation>
+    </message>
+    <message>
+        <source>No way to do this job takes less than %1: the limit.</source>
+        <translation>この処理はどの方法でも%1より短くはなりません。これが限界です。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2. It has no error to compare.</source>
+        <translation>%1は%2かかります。比較できる誤差はありません。</translation>
+    </message>
+    <message>
+        <source>%1 beats it: %2.</source>
+        <translation>%1のほうが優れています：%2。</translation>
+    </message>
+    <message>
+        <source>More accurate: %1, %2.</source>
+        <translation>より正確：%1、%2。</translation>
+    </message>
+    <message>
+        <source>No setting is more accurate.</source>
+        <translation>より正確な設定はありません。</translation>
     </message>
 </context>
 <context>
@@ -4741,6 +4765,10 @@ Examples:
         <source>The light has jumped.</source>
         <translation>明るさが急に変わりました。</translation>
     </message>
+    <message>
+        <source>The recorded pictures of the gel at rest have another size than the video.</source>
+        <translation>記録された静止時のゲルの画像の大きさが、動画と異なります。</translation>
+    </message>
 </context>
 <context>
     <name>GelPicture</name>
@@ -4817,6 +4845,14 @@ Examples:
     <message>
         <source>the gel at rest could not be found: %1</source>
         <translation>静止状態のゲルが見つかりませんでした：%1</translation>
+    </message>
+    <message>
+        <source>the scene ends before the gel at rest is known</source>
+        <translation>静止時のゲルが分かる前にシーンが終わります</translation>
+    </message>
+    <message>
+        <source>at least %1 pictures</source>
+        <translation>少なくとも%1枚の画像</translation>
     </message>
 </context>
 <context>
@@ -8356,6 +8392,14 @@ Run %2 --help for more.
     <message>
         <source>frames of an array or a camera</source>
         <translation>アレイまたはカメラのフレーム</translation>
+    </message>
+    <message>
+        <source>The gel at rest could not be found, so there are no contacts. %1</source>
+        <translation>静止時のゲルが見つからないため、接触はありません。%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames could not be used. The last reason: %3</source>
+        <translation>%2フレーム中%1フレームは使えませんでした。最後の理由：%3</translation>
     </message>
 </context>
 <context>
@@ -18167,7 +18211,7 @@ Run teleta-site --help for more.
         <translation>処理</translation>
     </message>
     <message>
-        <source>Jobs that can be done fast or exactly</source>
+        <source>Jobs that can be done fast or accurately</source>
         <translation>速く、または正確に行える処理</translation>
     </message>
     <message>
@@ -18643,6 +18687,42 @@ Run teleta-site --help for more.
     <message>
         <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
         <translation>列は番号と範囲で示します（例：2..85、2..10,12）。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::FramePreview</name>
+    <message>
+        <source>Frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Choose a frame</source>
+        <translation>フレームを選ぶ</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>読み込み中…</translation>
+    </message>
+    <message>
+        <source>No frame to show.</source>
+        <translation>表示できるフレームがありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <extracomment>Numbers of rows and columns, lowest and highest value</extracomment>
+        <translation>
+            <numerusform>%nフレーム、%1 × %2タクセル、%3～%4</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <translation>
+            <numerusform>最初の%nフレーム、%1 × %2タクセル、%3～%4</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 s</source>
+        <translation>フレーム%1/%2、%3 s</translation>
     </message>
 </context>
 <context>
@@ -21130,6 +21210,10 @@ Run teleta-site --help for more.
     <message>
         <source>Open file</source>
         <translation>ファイルを開く</translation>
+    </message>
+    <message>
+        <source>Import with other &amp;choices…</source>
+        <translation>別の設定でインポート(&amp;C)…</translation>
     </message>
 </context>
 <context>

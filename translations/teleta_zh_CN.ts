@@ -2994,33 +2994,12 @@ Examples:
         <translation>用时为 %1 倍</translation>
     </message>
     <message>
-        <source>%1, %2 less exact</source>
-        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
-        <translation>%1，精度低 %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 more exact</source>
-        <translation>%1，精度高 %2</translation>
-    </message>
-    <message>
-        <source>%1 is better in both: %2.</source>
-        <translation>%1 在两方面都更好：%2。</translation>
-    </message>
-    <message>
         <source>Faster: %1, %2.</source>
         <translation>更快：%1，%2。</translation>
     </message>
     <message>
-        <source>More exact: %1, %2.</source>
-        <translation>更精确：%1，%2。</translation>
-    </message>
-    <message>
         <source>No setting is faster.</source>
         <translation>没有更快的设置。</translation>
-    </message>
-    <message>
-        <source>No setting is more exact.</source>
-        <translation>没有更精确的设置。</translation>
     </message>
     <message>
         <source>In use: %1. It takes %2 and is off by %3 on average.</source>
@@ -3030,6 +3009,51 @@ Examples:
     <message>
         <source>%1 takes %2 and is off by %3 on average.</source>
         <translation>%1 用时 %2，平均偏差 %3。</translation>
+    </message>
+    <message>
+        <source>%1 percentage points</source>
+        <translation>%1 个百分点</translation>
+    </message>
+    <message>
+        <source>as fast</source>
+        <translation>一样快</translation>
+    </message>
+    <message>
+        <source>%1, equally accurate</source>
+        <translation>%1，同样准确</translation>
+    </message>
+    <message>
+        <source>%1, %2 less accurate</source>
+        <extracomment>How fast another setting is, and by how much its results are better or worse</extracomment>
+        <translation>%1，准确度低 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 more accurate</source>
+        <translation>%1，准确度高 %2</translation>
+    </message>
+    <message>
+        <source>%1 has no time: the machine was too busy. Close other programs and measure again.</source>
+        <translation>%1 没有时间：计算机太忙。请关闭其他程序后重新测量。</translation>
+    </message>
+    <message>
+        <source>No way to do this job takes less than %1: the limit.</source>
+        <translation>完成这项工作的任何方法都不会少于 %1：这是极限。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2. It has no error to compare.</source>
+        <translation>%1 需要 %2。它没有可比较的误差。</translation>
+    </message>
+    <message>
+        <source>%1 beats it: %2.</source>
+        <translation>%1 更优：%2。</translation>
+    </message>
+    <message>
+        <source>More accurate: %1, %2.</source>
+        <translation>更准确：%1，%2。</translation>
+    </message>
+    <message>
+        <source>No setting is more accurate.</source>
+        <translation>没有更准确的设置。</translation>
     </message>
 </context>
 <context>
@@ -4741,6 +4765,10 @@ Examples:
         <source>The light has jumped.</source>
         <translation>光线发生突变。</translation>
     </message>
+    <message>
+        <source>The recorded pictures of the gel at rest have another size than the video.</source>
+        <translation>记录的凝胶静止图像与视频的尺寸不同。</translation>
+    </message>
 </context>
 <context>
     <name>GelPicture</name>
@@ -4817,6 +4845,14 @@ Examples:
     <message>
         <source>the gel at rest could not be found: %1</source>
         <translation>未能找到静止的凝胶：%1</translation>
+    </message>
+    <message>
+        <source>the scene ends before the gel at rest is known</source>
+        <translation>在得知静止的凝胶之前场景就结束了</translation>
+    </message>
+    <message>
+        <source>at least %1 pictures</source>
+        <translation>至少 %1 张图像</translation>
     </message>
 </context>
 <context>
@@ -8356,6 +8392,14 @@ Run %2 --help for more.
     <message>
         <source>frames of an array or a camera</source>
         <translation>阵列或摄像头的帧</translation>
+    </message>
+    <message>
+        <source>The gel at rest could not be found, so there are no contacts. %1</source>
+        <translation>找不到静止的凝胶，因此没有接触。%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames could not be used. The last reason: %3</source>
+        <translation>%2 帧中有 %1 帧无法使用。最后的原因：%3</translation>
     </message>
 </context>
 <context>
@@ -18167,7 +18211,7 @@ Run teleta-site --help for more.
         <translation>任务</translation>
     </message>
     <message>
-        <source>Jobs that can be done fast or exactly</source>
+        <source>Jobs that can be done fast or accurately</source>
         <translation>可快速或精确完成的任务</translation>
     </message>
     <message>
@@ -18643,6 +18687,42 @@ Run teleta-site --help for more.
     <message>
         <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
         <translation>列用编号和范围表示，例如 2..85 或 2..10,12。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::FramePreview</name>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Choose a frame</source>
+        <translation>选择一帧</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>正在读取…</translation>
+    </message>
+    <message>
+        <source>No frame to show.</source>
+        <translation>没有可显示的帧。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <extracomment>Numbers of rows and columns, lowest and highest value</extracomment>
+        <translation>
+            <numerusform>%n 帧，%1 × %2 个触元，%3 至 %4</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n frame(s) of %1 × %2 taxels, %3 to %4</source>
+        <translation>
+            <numerusform>前 %n 帧，%1 × %2 个触元，%3 至 %4</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 s</source>
+        <translation>第 %1 帧，共 %2 帧，%3 s</translation>
     </message>
 </context>
 <context>
@@ -21130,6 +21210,10 @@ Run teleta-site --help for more.
     <message>
         <source>Open file</source>
         <translation>打开文件</translation>
+    </message>
+    <message>
+        <source>Import with other &amp;choices…</source>
+        <translation>用其他设置导入(&amp;C)…</translation>
     </message>
 </context>
 <context>

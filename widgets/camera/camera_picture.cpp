@@ -4,11 +4,11 @@
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/camera/picture_marks.h"
 
 #include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPolygonF>
 
 #include <algorithm>
@@ -30,16 +30,6 @@ QImage imageOf(const core::GreyImage& image) {
 
 QPointF pointOf(const auto& p) {
     return {static_cast<double>(p.x), static_cast<double>(p.y)};
-}
-
-/// The picture is grey in both themes; everything drawn over it is light with a dark outline.
-constexpr QColor kRim(0, 0, 0, 150);
-
-void paintHalo(QPainter& painter, const QPointF& at, const QString& text, const QColor& colour) {
-    QPainterPath path;
-    path.addText(at, painter.font(), text);
-    painter.strokePath(path, QPen(kRim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, colour);
 }
 
 } // namespace
@@ -249,7 +239,7 @@ void CameraPicture::paintState(QPainter& painter, const QSizeF& size, const QPal
     } else if (arrows && !shown.arrows.empty()) {
         const QRectF visible = imageRect(size) & QRectF(QPointF(), size);
         paintHalo(painter, {visible.left() + margin, visible.bottom() - margin},
-                  tr("Displacement \u00d7 %1").arg(std::lround(enlargement)), Qt::white);
+                  tr("Displacement \u00d7 %1").arg(std::lround(enlargement)));
     }
 }
 

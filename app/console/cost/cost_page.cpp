@@ -443,7 +443,7 @@ void CostPage::retranslate() {
     m_tabs->setTabText(0, tr("Settings"));
     m_tabs->setTabText(1, tr("Sweeps"));
     m_ladderHeading->setText(tr("Jobs"));
-    m_list->setAccessibleName(tr("Jobs that can be done fast or exactly"));
+    m_list->setAccessibleName(tr("Jobs that can be done fast or accurately"));
     m_measure->setText(tr("&Measure this job"));
     m_measureAll->setText(tr("Measure &all jobs"));
     m_measureAll->setToolTip(tr("Takes a few minutes; you can go on using the console"));

@@ -6,13 +6,13 @@
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/camera/picture_marks.h"
 
 #include <QFontMetricsF>
 #include <QImage>
 #include <QLineF>
 #include <QList>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -25,18 +25,9 @@ namespace {
 using vision::GelContactState;
 
 constexpr std::size_t kArrowColours = 32;
-/// The picture is grey in both themes; everything drawn over it is light with a dark outline.
-constexpr QColor kRim(0, 0, 0, 150);
 
 QPointF pointOf(const Eigen::Vector2d& p) {
     return {p.x(), p.y()};
-}
-
-void paintHalo(QPainter& painter, const QPointF& at, const QString& text) {
-    QPainterPath path;
-    path.addText(at, painter.font(), text);
-    painter.strokePath(path, QPen(kRim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, Qt::white);
 }
 
 /// The lines of an arrow: shaft and head.

@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(part<QTableWidget>("rungs").currentRow(), 1);
         const QString words = part<QLabel>("words").text();
         QVERIFY2(words.startsWith(QStringLiteral("ultrafast-3.2 takes 1.00")), qPrintable(words));
-        QVERIFY2(words.contains(QStringLiteral("More exact: dots, takes 18 times as long")),
+        QVERIFY2(words.contains(QStringLiteral("More accurate: dots, takes 18 times as long")),
                  qPrintable(words));
         QVERIFY(part<QLabel>("words").isVisible());
     }
