@@ -54,7 +54,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     , m_timeUnit(new QComboBox)
     , m_rate_Hz(makeNumber(request.rate_Hz.value_or(0.0), 100'000.0, 3, tr(" Hz")))
     , m_verdict(new QLabel)
-    , m_preview(new FramePreview(this)) {
+    , m_preview(new FramePreview(why, this)) {
     setWindowTitle(tr("Open frames"));
     m_timeColumn->setObjectName(QStringLiteral("timeColumn"));
     m_rate_Hz->setObjectName(QStringLiteral("rate"));
@@ -123,6 +123,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     layout->addWidget(reason);
     auto* both = new QHBoxLayout;
     both->addLayout(form);
+    both->addSpacing(base::grid(this, 2));
     both->addWidget(m_preview, 1);
     layout->addLayout(both, 1);
     layout->addWidget(buttons);

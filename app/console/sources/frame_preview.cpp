@@ -62,8 +62,9 @@ private:
     QImage m_image;
 };
 
-FramePreview::FramePreview(QWidget* parent)
+FramePreview::FramePreview(const QString& known, QWidget* parent)
     : QWidget(parent)
+    , m_known(known)
     , m_picture(new Picture(this))
     , m_slider(new QSlider(Qt::Horizontal))
     , m_place(new QLabel)
@@ -157,9 +158,10 @@ void FramePreview::showContent(Content content) {
     m_content = std::move(content);
     const auto frames = static_cast<int>(m_content.time_s.size());
     m_slider->setRange(0, std::max(0, frames - 1));
-    m_slider->setEnabled(frames > 1);
-    m_problem->setText(QString::fromStdString(m_content.problem));
-    m_problem->setVisible(!m_content.problem.empty());
+    m_slider->setVisible(frames > 1);
+    const QString problem = QString::fromStdString(m_content.problem);
+    m_problem->setText(problem);
+    m_problem->setVisible(!problem.isEmpty() && problem != m_known);
     if (frames == 0) {
         m_about->setText(tr("No frame to show."));
     } else {

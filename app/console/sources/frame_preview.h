@@ -29,7 +29,8 @@ class FramePreview : public QWidget {
 public:
     static constexpr std::size_t kFrames = 500; ///< are shown, of a file with more
 
-    explicit FramePreview(QWidget* parent = nullptr);
+    /// known: a problem that is shown elsewhere, and not here again.
+    explicit FramePreview(const QString& known = {}, QWidget* parent = nullptr);
     ~FramePreview() override;
 
     /// Reads the file in a moment, so that typing does not read it at each key.
@@ -53,6 +54,7 @@ private:
     void showContent(Content content);
     void showFrame();
 
+    QString m_known;
     frames::FrameRequest m_request;
     QTimer m_wait;
     std::shared_ptr<std::atomic<bool>> m_ended; ///< of the reading
