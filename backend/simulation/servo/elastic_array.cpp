@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <type_traits>
 
 namespace teleta::simulation {
 
@@ -102,16 +103,154 @@ template <std::size_t lanes>
 }
 
 #ifdef __x86_64__
+bool hasAvx2() {
+    static const bool has = __builtin_cpu_supports("avx2") != 0;
+    return has;
+}
+
 [[gnu::target("avx2")]] void addPressedAvx2(const PressedColumns& pressed, servo::Wrench& wrench,
                                             servo::Matrix6& tangent) {
     addPressed<kTogether>(pressed, wrench, tangent);
 }
 #endif
 
+/// Points of springs in {s}, and what nearest() says of each.
+struct DepthColumns {
+    const double* x;
+    const double* y;
+    const double* z;
+    double* depth_m;
+    double* normalX;
+    double* normalY;
+    double* normalZ;
+    double* length;
+    std::size_t count;
+};
+
+/// A bar without the question at each point whether it is bent.
+struct Bent {
+    BarSurface bar;
+    [[nodiscard, gnu::always_inline]] Nearest nearest(double x, double y, double z) const {
+        return bar.nearestBent(x, y, z);
+    }
+};
+struct Straight {
+    BarSurface bar;
+    [[nodiscard, gnu::always_inline]] Nearest nearest(double x, double y, double z) const {
+        return bar.nearestStraight(x, y, z);
+    }
+};
+
+template <typename Shape>
+[[gnu::always_inline]] inline void fillDepths(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor,
+                                              const DepthColumns& columns) {
+    // Copies, which the results cannot overwrite. No two columns overlap.
+    const Shape body = shape;
+    const Eigen::Matrix3d R = X_Object_Sensor.linear();
+    const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2), x0 = X_Object_Sensor.translation()[0];
+    const double yx = R(1, 0), yy = R(1, 1), yz = R(1, 2), y0 = X_Object_Sensor.translation()[1];
+    const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2), z0 = X_Object_Sensor.translation()[2];
+    const auto [x, y, z, depth_m, normalX, normalY, normalZ, length, count] = columns;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        const Nearest nearest =
+            body.nearest(xx * x[i] + xy * y[i] + xz * z[i] + x0, yx * x[i] + yy * y[i] + yz * z[i] + y0,
+                         zx * x[i] + zy * y[i] + zz * z[i] + z0);
+        depth_m[i] = nearest.depth_m;
+        normalX[i] = nearest.x;
+        normalY[i] = nearest.y;
+        normalZ[i] = nearest.z;
+        length[i] = nearest.length;
+    }
+}
+
+#ifdef __x86_64__
+// GCC's elimination of partial redundancies puts parts of a bent bar into branches, which keep it from
+// computing several points at once.
+template <typename Shape>
+[[gnu::target("avx2"), gnu::optimize("no-tree-pre")]] void
+fillDepthsAvx2(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor, const DepthColumns& columns) {
+    fillDepths(shape, X_Object_Sensor, columns);
+}
+#endif
+
+template <typename Shape>
+void fillDepthsQuickly(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor,
+                       const DepthColumns& columns) {
+#ifdef __x86_64__
+    if (hasAvx2()) {
+        fillDepthsAvx2(shape, X_Object_Sensor, columns);
+        return;
+    }
+#endif
+    fillDepths(shape, X_Object_Sensor, columns);
+}
+
+/// Of pressed springs: in, the points in {s} and the normals in the body's frame, not yet divided by their
+/// length; out, the normals in {s}, their moments about its origin, and the forces.
+struct ScrewColumns {
+    const double* x;
+    const double* y;
+    const double* z;
+    const double* stiffness_NPerM;
+    const double* depth_m;
+    const double* length;
+    double* normalX;
+    double* normalY;
+    double* normalZ;
+    double* momentX;
+    double* momentY;
+    double* momentZ;
+    double* force_N;
+    std::size_t count;
+};
+
+[[gnu::always_inline]] inline void fillScrews(const Eigen::Matrix3d& R, const ScrewColumns& columns) {
+    const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2);
+    const double yx = R(1, 0), yy = R(1, 1), yz = R(1, 2);
+    const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2);
+    const auto [x, y, z, stiffness_NPerM, depth_m, length, normalX, normalY, normalZ, momentX, momentY,
+                momentZ, force_N, count] = columns;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        const double none = length[i] > 0.0 ? 0.0 : 1.0; // 1: without a normal, which is z then
+        const double scale = 1.0 / (length[i] + none);
+        const double alongX = scale * normalX[i];
+        const double alongY = scale * normalY[i];
+        const double alongZ = scale * normalZ[i] + none;
+        const double nx = xx * alongX + xy * alongY + xz * alongZ;
+        const double ny = yx * alongX + yy * alongY + yz * alongZ;
+        const double nz = zx * alongX + zy * alongY + zz * alongZ;
+        normalX[i] = nx;
+        normalY[i] = ny;
+        normalZ[i] = nz;
+        momentX[i] = y[i] * nz - z[i] * ny;
+        momentY[i] = z[i] * nx - x[i] * nz;
+        momentZ[i] = x[i] * ny - y[i] * nx;
+        force_N[i] = stiffness_NPerM[i] * depth_m[i];
+    }
+}
+
+#ifdef __x86_64__
+[[gnu::target("avx2"), gnu::optimize("no-tree-pre")]] void fillScrewsAvx2(const Eigen::Matrix3d& R,
+                                                                          const ScrewColumns& columns) {
+    fillScrews(R, columns);
+}
+#endif
+
+void fillScrewsQuickly(const Eigen::Matrix3d& R, const ScrewColumns& columns) {
+#ifdef __x86_64__
+    if (hasAvx2()) {
+        fillScrewsAvx2(R, columns);
+        return;
+    }
+#endif
+    fillScrews(R, columns);
+}
+
 void sumPressed(const PressedColumns& pressed, servo::Wrench& wrench, servo::Matrix6& tangent) {
 #ifdef __x86_64__
-    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
-    if (hasAvx2) {
+    if (hasAvx2()) {
         addPressedAvx2(pressed, wrench, tangent);
         return;
     }
@@ -187,29 +326,20 @@ void ElasticArray::findNear(const Eigen::Isometry3d& X_Object_Sensor, const Shap
 
 template <typename Shape>
 void ElasticArray::findDepths(const Eigen::Isometry3d& X_Object_Sensor, const Shape& shape) const {
-    // Copies, which the results cannot overwrite.
-    const Shape body = shape;
-    const Eigen::Matrix3d R = X_Object_Sensor.linear();
-    const Eigen::Vector3d t = X_Object_Sensor.translation();
-    const double* const x = m_nearby.x.data();
-    const double* const y = m_nearby.y.data();
-    const double* const z = m_nearby.z.data();
-    double* const depth_m = m_nearby.depth_m.data();
-    double* const normalX = m_nearby.normalX.data();
-    double* const normalY = m_nearby.normalY.data();
-    double* const normalZ = m_nearby.normalZ.data();
-    double* const length = m_nearby.length.data();
-    const std::size_t springs = m_near.size();
-    for (std::size_t i = 0; i < springs; ++i) {
-        const Nearest nearest = body.nearest(R(0, 0) * x[i] + R(0, 1) * y[i] + R(0, 2) * z[i] + t[0],
-                                             R(1, 0) * x[i] + R(1, 1) * y[i] + R(1, 2) * z[i] + t[1],
-                                             R(2, 0) * x[i] + R(2, 1) * y[i] + R(2, 2) * z[i] + t[2]);
-        depth_m[i] = nearest.depth_m;
-        normalX[i] = nearest.x;
-        normalY[i] = nearest.y;
-        normalZ[i] = nearest.z;
-        length[i] = nearest.length;
-    }
+    const DepthColumns columns{.x = m_nearby.x.data(),
+                               .y = m_nearby.y.data(),
+                               .z = m_nearby.z.data(),
+                               .depth_m = m_nearby.depth_m.data(),
+                               .normalX = m_nearby.normalX.data(),
+                               .normalY = m_nearby.normalY.data(),
+                               .normalZ = m_nearby.normalZ.data(),
+                               .length = m_nearby.length.data(),
+                               .count = m_near.size()};
+    if constexpr (std::is_same_v<Shape, BarSurface>)
+        shape.isBent() ? fillDepthsQuickly(Bent{shape}, X_Object_Sensor, columns)
+                       : fillDepthsQuickly(Straight{shape}, X_Object_Sensor, columns);
+    else
+        fillDepthsQuickly(shape, X_Object_Sensor, columns);
 }
 
 void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched) const {
@@ -233,7 +363,6 @@ void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const T
     }
     m_pressed.resize(pressed);
 
-    const Eigen::Matrix3d& R = X_Sensor_Object.linear();
     for (std::size_t i = 0; i < pressed; ++i) {
         const std::size_t from = m_pressed[i];
         m_inBody.x[i] = m_nearby.x[from];
@@ -241,16 +370,25 @@ void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const T
         m_inBody.z[i] = m_nearby.z[from];
         m_inBody.stiffness_NPerM[i] = m_nearby.stiffness_NPerM[from];
         m_inBody.depth_m[i] = m_nearby.depth_m[from];
-        const double length = m_nearby.length[from];
-        const bool hasNormal = length > 0.0;
-        const double scale = 1.0 / (hasNormal ? length : 1.0);
-        const double x = scale * m_nearby.normalX[from];
-        const double y = scale * m_nearby.normalY[from];
-        const double z = hasNormal ? scale * m_nearby.normalZ[from] : 1.0;
-        m_inBody.normalX[i] = R(0, 0) * x + R(0, 1) * y + R(0, 2) * z;
-        m_inBody.normalY[i] = R(1, 0) * x + R(1, 1) * y + R(1, 2) * z;
-        m_inBody.normalZ[i] = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z;
+        m_inBody.normalX[i] = m_nearby.normalX[from];
+        m_inBody.normalY[i] = m_nearby.normalY[from];
+        m_inBody.normalZ[i] = m_nearby.normalZ[from];
+        m_inBody.length[i] = m_nearby.length[from];
     }
+    fillScrewsQuickly(X_Sensor_Object.linear(), {.x = m_inBody.x.data(),
+                                                 .y = m_inBody.y.data(),
+                                                 .z = m_inBody.z.data(),
+                                                 .stiffness_NPerM = m_inBody.stiffness_NPerM.data(),
+                                                 .depth_m = m_inBody.depth_m.data(),
+                                                 .length = m_inBody.length.data(),
+                                                 .normalX = m_inBody.normalX.data(),
+                                                 .normalY = m_inBody.normalY.data(),
+                                                 .normalZ = m_inBody.normalZ.data(),
+                                                 .momentX = m_inBody.momentX.data(),
+                                                 .momentY = m_inBody.momentY.data(),
+                                                 .momentZ = m_inBody.momentZ.data(),
+                                                 .force_N = m_inBody.force_N.data(),
+                                                 .count = pressed});
 }
 
 template <typename Take>
@@ -267,13 +405,8 @@ ArrayContact ElasticArray::press(const Eigen::Isometry3d& X_Sensor_Object, const
     const std::size_t pressed = m_pressed.size();
     Columns& columns = m_inBody;
     ArrayContact contact;
-    for (std::size_t i = 0; i < pressed; ++i) {
-        columns.momentX[i] = columns.y[i] * columns.normalZ[i] - columns.z[i] * columns.normalY[i];
-        columns.momentY[i] = columns.z[i] * columns.normalX[i] - columns.x[i] * columns.normalZ[i];
-        columns.momentZ[i] = columns.x[i] * columns.normalY[i] - columns.y[i] * columns.normalX[i];
-        columns.force_N[i] = columns.stiffness_NPerM[i] * columns.depth_m[i];
+    for (std::size_t i = 0; i < pressed; ++i)
         contact.energy_J += 0.5 * columns.force_N[i] * columns.depth_m[i];
-    }
     const std::size_t filled = (pressed + kTogether - 1) / kTogether * kTogether;
     for (std::size_t i = pressed; i < filled; ++i)
         columns.stiffness_NPerM[i] = columns.force_N[i] = 0.0;

@@ -11,17 +11,22 @@ BarSurface::BarSurface(const scene::BarShape& shape)
     , m_high_m(shape.ahead_m)
     , m_straight_m(shape.straight_m)
     , m_bend_m(shape.bend_m)
+    , m_perBend(shape.bend_m > 0.0 ? 1.0 / shape.bend_m : 0.0)
     , m_bendBehind_m(shape.bendBehind_m)
     , m_ySlope(std::tan(shape.turn_rad))
     , m_zSlope(-std::tan(shape.fall_rad)) {
 }
 
 Eigen::Vector3d BarSurface::tangentAt(double u_m) const {
+    if (!isBent())
+        return Eigen::Vector3d::UnitX();
     const Axis axis = axisAt(u_m);
     return Eigen::Vector3d(1.0, axis.ySlope, axis.zSlope).normalized();
 }
 
 Eigen::Vector3d BarSurface::lineAt(double u_m) const {
+    if (!isBent())
+        return {u_m, 0.0, 0.0};
     const Axis axis = axisAt(u_m);
     // The side of the bar that looks along z, across its tangent.
     const Eigen::Vector3d tangent = tangentAt(u_m);

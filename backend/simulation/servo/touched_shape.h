@@ -47,10 +47,16 @@ public:
     explicit BarSurface(const scene::BarShape& shape);
 
     [[nodiscard]] Nearest nearest(double x, double y, double z) const {
+        return isBent() ? nearestBent(x, y, z) : nearestStraight(x, y, z);
+    }
+    [[nodiscard]] bool isBent() const { return m_bend_m > 0.0; }
+    /// Of a bar that is not bent: the general way gives the same, for the price of a division.
+    [[nodiscard]] Nearest nearestStraight(double x, double y, double z) const {
+        return nearestInBall(m_radius_m, x - within(x, m_low_m, m_high_m), y, z + m_radius_m);
+    }
+    /// Of a bar that is bent.
+    [[nodiscard]] Nearest nearestBent(double x, double y, double z) const {
         const double u0 = within(x, m_low_m, m_high_m);
-        // The general way gives the same for a straight bar, for the price of a division.
-        if (!(m_bend_m > 0.0))
-            return nearestInBall(m_radius_m, x - u0, y, z + m_radius_m);
         const Axis first = axisAt(u0);
         const double share = ((x - u0) + (y - first.y_m) * first.ySlope + (z - first.z_m) * first.zSlope) /
                              (1.0 + first.ySlope * first.ySlope + first.zSlope * first.zSlope -
@@ -77,14 +83,16 @@ private:
         return raised > high ? high : raised;
     }
 
+    /// Of a bar that is bent.
     [[nodiscard]] Axis axisAt(double u_m) const {
-        if (!(m_bend_m > 0.0))
-            return {0.0, -m_radius_m, 0.0, 0.0, 0.0, 0.0};
         const double into_m = u_m - m_straight_m;
         const double bent_m = within(into_m, -m_bendBehind_m, m_bend_m);
         const double share = bent_m / m_bend_m;
         const double area_m = (into_m - 0.5 * bent_m) * share;
-        const double bend = bent_m == into_m ? 1.0 / m_bend_m : 0.0;
+        // Where it bends 1, else 0. A choice by the difference would keep compilers from computing several at
+        // once; it is 0 or over 1e-20 m.
+        const double beyond = std::abs(into_m - bent_m) * 1e100;
+        const double bend = (1.0 - (beyond < 1.0 ? beyond : 1.0)) * m_perBend;
         return {m_ySlope * area_m, m_zSlope * area_m - m_radius_m,
                 m_ySlope * share,  m_zSlope * share,
                 m_ySlope * bend,   m_zSlope * bend};
@@ -95,6 +103,7 @@ private:
     double m_high_m;
     double m_straight_m;
     double m_bend_m;
+    double m_perBend; ///< 1 / m_bend_m; 0 of a straight bar
     double m_bendBehind_m;
     double m_ySlope;
     double m_zSlope;
