@@ -3,8 +3,6 @@
 
 #include "backend/servo/rigid_motion.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,6 +22,33 @@ constexpr double kLeastGain_J = 1e-12;
 constexpr double kInertiaRenewal_rad = 0.005;
 /// Below it what sticks creeps.
 constexpr double kCreep_mPerS = 1e-4;
+
+/// x of A x = b by Cholesky's L L^T. A: symmetric, positive definite; its lower half is read. Eigen's takes
+/// this size for a large one.
+template <int kSize>
+Eigen::Matrix<double, kSize, 1> solve(Eigen::Matrix<double, kSize, kSize> L,
+                                      Eigen::Matrix<double, kSize, 1> x) {
+    Eigen::Matrix<double, kSize, 1> perDiagonal;
+    for (Eigen::Index k = 0; k < kSize; ++k) {
+        perDiagonal[k] = 1.0 / std::sqrt(L(k, k));
+        for (Eigen::Index i = k; i < kSize; ++i)
+            L(i, k) *= perDiagonal[k];
+        for (Eigen::Index j = k + 1; j < kSize; ++j)
+            for (Eigen::Index i = j; i < kSize; ++i)
+                L(i, j) -= L(i, k) * L(j, k);
+    }
+    for (Eigen::Index k = 0; k < kSize; ++k) {
+        x[k] *= perDiagonal[k];
+        for (Eigen::Index i = k + 1; i < kSize; ++i)
+            x[i] -= L(i, k) * x[k];
+    }
+    for (Eigen::Index k = kSize - 1; k >= 0; --k) {
+        for (Eigen::Index i = k + 1; i < kSize; ++i)
+            x[k] -= L(i, k) * x[i];
+        x[k] *= perDiagonal[k];
+    }
+    return x;
+}
 
 } // namespace
 
@@ -199,7 +224,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     derivatives(*here, gradient, hessian, damped ? &ofContact : nullptr);
     if (damped)
         quadratic += m_impedance.contactDampingTime_s / step_s * ofContact;
-    const Freedoms push = inertia * (step_s * rate);
+    const Freedoms push = inertia.lazyProduct(step_s * rate);
     const double creep_m = kCreep_mPerS * step_s;
     const bool rubs = m_impedance.friction > 0.0 && here->contact.springs > 0;
     Relative relative;
@@ -211,7 +236,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     // |x - h v|^2_M/2h^2 + |x|^2_D/2h without its constant, x the way from the start.
     const auto inertial_J = [&](const Freedoms& way) {
         const double smooth_J = 0.5 * way.dot(quadratic.lazyProduct(way)) - way.dot(push);
-        return rubs ? smooth_J + friction_J(relative * way, creep_m, nullptr, nullptr) : smooth_J;
+        return rubs ? smooth_J + friction_J(relative.lazyProduct(way), creep_m, nullptr, nullptr) : smooth_J;
     };
 
     double merit_J = here->potential_J;
@@ -223,15 +248,16 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
         if (rubs) {
             servo::Vector6 drag = servo::Vector6::Zero();
             servo::Matrix6 stiffness = servo::Matrix6::Zero();
-            (void)friction_J(relative * (here->at - start), creep_m, &drag, &stiffness);
-            gradient.noalias() += relative.transpose() * drag;
-            hessian.noalias() += relative.transpose() * stiffness * relative;
+            (void)friction_J(relative.lazyProduct(here->at - start), creep_m, &drag, &stiffness);
+            gradient += relative.transpose().lazyProduct(drag);
+            const Relative stiff = stiffness.lazyProduct(relative);
+            hessian += relative.transpose().lazyProduct(stiff);
         }
         if (!m_object.turns) {
             gradient[kLwrJoints] = 0.0;
             hessian(kLwrJoints, kLwrJoints) = 1.0;
         }
-        const Freedoms move = -hessian.llt().solve(gradient);
+        const Freedoms move = -solve<kFreedoms>(hessian, gradient);
         if (-gradient.dot(move) < kLeastGain_J)
             break;
         double share = 1.0;
