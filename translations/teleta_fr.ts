@@ -4754,6 +4754,10 @@ Exemples&#xa0;:
         <source>The light has jumped.</source>
         <translation>La lumière a changé brusquement.</translation>
     </message>
+    <message>
+        <source>The recorded pictures of the gel at rest have another size than the video.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>GelPicture</name>
@@ -4830,6 +4834,14 @@ Exemples&#xa0;:
     <message>
         <source>the gel at rest could not be found: %1</source>
         <translation>le gel au repos n’a pas été trouvé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the scene ends before the gel at rest is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 pictures</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8379,6 +8391,14 @@ Run %2 --help for more.
         <source>frames of an array or a camera</source>
         <translation>des trames de matrice ou des images de caméra</translation>
     </message>
+    <message>
+        <source>The gel at rest could not be found, so there are no contacts. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames could not be used. The last reason: %3</source>
+        <translation type="unfinished">%1 images sur %2 étaient inutilisables. Dernière raison&#xa0;: %3</translation>
+    </message>
 </context>
 <context>
     <name>ReplayDevice</name>
@@ -9296,6 +9316,64 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = un nombre dans l’unité des valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>RosCamera</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation type="unfinished">personne ne publie&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation type="unfinished">%1 se tait</translation>
+    </message>
+</context>
+<context>
+    <name>RosCameraMessage</name>
+    <message>
+        <source>a picture has the encoding &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture has no pixels (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture is too large (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture in %1 has an odd width (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture has %1 bytes, its size says %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JPEG or PNG of at most %1 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture is damaged (%1 bytes)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16987,6 +17065,42 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::camera::SceneTile</name>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No picture for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation type="unfinished">Hz</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <comment>a camera</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message>
         <source>prepare</source>
@@ -19953,6 +20067,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Gel</source>
         <translation>Gel</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished">Scène</translation>
     </message>
 </context>
 <context>

@@ -4741,6 +4741,10 @@ Examples:
         <source>The light has jumped.</source>
         <translation>光线发生突变。</translation>
     </message>
+    <message>
+        <source>The recorded pictures of the gel at rest have another size than the video.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>GelPicture</name>
@@ -4817,6 +4821,14 @@ Examples:
     <message>
         <source>the gel at rest could not be found: %1</source>
         <translation>未能找到静止的凝胶：%1</translation>
+    </message>
+    <message>
+        <source>the scene ends before the gel at rest is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least %1 pictures</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8357,6 +8369,14 @@ Run %2 --help for more.
         <source>frames of an array or a camera</source>
         <translation>阵列或摄像头的帧</translation>
     </message>
+    <message>
+        <source>The gel at rest could not be found, so there are no contacts. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames could not be used. The last reason: %3</source>
+        <translation type="unfinished">%2 帧中有 %1 帧无法使用。最近一次的原因：%3</translation>
+    </message>
 </context>
 <context>
     <name>ReplayDevice</name>
@@ -9271,6 +9291,64 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = 以数值的单位表示的数</translation>
+    </message>
+</context>
+<context>
+    <name>RosCamera</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1：%2</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation type="unfinished">没有程序发布 %1</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation type="unfinished">%1 没有数据</translation>
+    </message>
+</context>
+<context>
+    <name>RosCameraMessage</name>
+    <message>
+        <source>a picture has the encoding &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture has no pixels (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture is too large (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture in %1 has an odd width (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture has %1 bytes, its size says %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JPEG or PNG of at most %1 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture is damaged (%1 bytes)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16941,6 +17019,42 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::camera::SceneTile</name>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No picture for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation type="unfinished">Hz</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <comment>a camera</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message>
         <source>prepare</source>
@@ -19895,6 +20009,10 @@ Run teleta-site --help for more.
     <message>
         <source>Gel</source>
         <translation>凝胶</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished">场景</translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,8 @@
 
 namespace teleta::mcap {
 
-std::optional<core::GreyImage> decodePicture(std::string_view bytes) {
+std::optional<core::GreyImage> decodePicture(std::string_view bytes, PngPixel pixel) {
+    const bool isColour = pixel == PngPixel::colour;
     if (!opencv::isPicture(bytes, kMostPixels))
         return std::nullopt;
     const auto pictures = opencv::pictures();
@@ -21,12 +22,18 @@ std::optional<core::GreyImage> decodePicture(std::string_view bytes) {
     try {
         // OpenCV takes no constant bytes, and does not change these.
         const cv::Mat coded(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-        pixels = (*pictures)->decode(coded, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+        pixels = (*pictures)->decode(coded, (isColour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE) |
+                                                cv::IMREAD_IGNORE_ORIENTATION);
     } catch (const cv::Exception&) {
         return std::nullopt;
     }
-    if (pixels.empty() || pixels.type() != CV_8UC1)
+    if (pixels.empty() || pixels.type() != (isColour ? CV_8UC3 : CV_8UC1))
         return std::nullopt;
+    if (isColour) {
+        // OpenCV's order is blue, green, red.
+        pixels.forEach<cv::Vec3b>([](cv::Vec3b& bgr, const int*) { std::swap(bgr[0], bgr[2]); });
+        pixels = pixels.reshape(1);
+    }
     return core::greyImageOf(std::move(pixels));
 }
 

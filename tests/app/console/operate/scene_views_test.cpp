@@ -4,6 +4,9 @@
 #include "app/console/operate/scene_views.h"
 #include "app/console/sources/source_manager.h"
 #include "app/sources/source_list.h"
+#include "backend/core/device/colour_image.h"
+#include "backend/pipeline/recorded/recorded_scene_camera.h"
+#include "backend/recording/recorder.h"
 #include "widgets/camera/scene/scene_panel.h"
 
 #include <QDockWidget>
@@ -16,6 +19,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 using namespace teleta;
 using camera::SceneTile;
@@ -179,6 +183,40 @@ private slots:
             return !panel().cameras().empty() && tile(0).picture().state == core::DeviceState::finished;
         }));
         QVERIFY(isNear(tile(0).picture().image, 200, 40, 20));
+        QVERIFY(tile(0).picture().problem.isEmpty());
+    }
+
+    void aRecordingIsPlayedInColour() {
+        const std::string path = m_folder.filePath("run.teleta").toStdString();
+        {
+            auto recorder = recording::Recorder::start(path, {});
+            QVERIFY(recorder.has_value());
+            const auto tap = (*recorder)->addStream(
+                pipeline::sceneCameraStream("front-scene", {.name = "front", .nominalRate_Hz = 10.0}));
+            for (int i = 0; i < 10; ++i) {
+                auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+                for (int pixel = 0; pixel < 64 * 48; ++pixel)
+                    bytes->insert(bytes->end(), {200, 40, 20});
+                core::CameraFrame frame;
+                frame.image = core::bytesOf({{bytes, bytes->data()}, 64, 48});
+                frame.time_ns = 1'000'000'000 + i * 100'000'000;
+                frame.capture_s = 0.1 * i;
+                tap->append(frame);
+            }
+            QVERIFY((*recorder)->stop().has_value());
+        }
+        const auto requests = app::recordingRequestsOf(path);
+        QVERIFY(requests.has_value());
+        QCOMPARE(requests->size(), std::size_t{1});
+        const auto key = m_sources->open(requests->front());
+        QCOMPARE(m_sources->find(key)->name, QStringLiteral("run (front)"));
+        QVERIFY(comes([&] {
+            return !panel().cameras().empty() && isNear(tile(0).picture().image, 200, 40, 20) &&
+                   tile(0).picture().state == core::DeviceState::finished;
+        }));
+        QCOMPARE(tile(0).picture().image.width_px, 64);
+        QVERIFY(tile(0).picture().provenance == base::Provenance::recorded);
+        QVERIFY(m_sources->find(key)->playback() != nullptr);
         QVERIFY(tile(0).picture().problem.isEmpty());
     }
 
