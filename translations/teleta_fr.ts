@@ -4756,7 +4756,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>The recorded pictures of the gel at rest have another size than the video.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images enregistrées du gel au repos n’ont pas la taille de la vidéo.</translation>
     </message>
 </context>
 <context>
@@ -4837,11 +4837,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>the scene ends before the gel at rest is known</source>
-        <translation type="unfinished"></translation>
+        <translation>la scène finit avant que le gel au repos soit connu</translation>
     </message>
     <message>
         <source>at least %1 pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>au moins %1 images</translation>
     </message>
 </context>
 <context>
@@ -8393,11 +8393,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The gel at rest could not be found, so there are no contacts. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Le gel au repos n’a pas été trouvé, il n’y a donc pas de contacts. %1</translation>
     </message>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
-        <translation type="unfinished">%1 images sur %2 étaient inutilisables. Dernière raison&#xa0;: %3</translation>
+        <translation>%1 images sur %2 étaient inutilisables. Dernière raison&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -9322,58 +9322,58 @@ Run %2 --help for more.
     <name>RosCamera</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1&#xa0;: %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>nobody publishes %1</source>
-        <translation type="unfinished">personne ne publie&#xa0;%1</translation>
+        <translation>personne ne publie&#xa0;%1</translation>
     </message>
     <message>
         <source>%1 is silent</source>
-        <translation type="unfinished">%1 se tait</translation>
+        <translation>%1 se tait</translation>
     </message>
 </context>
 <context>
     <name>RosCameraMessage</name>
     <message>
         <source>a picture has the encoding &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>une image a le codage «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a picture has no pixels (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>une image n’a pas de pixels (%1)</translation>
     </message>
     <message>
         <source>a picture is too large (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>une image est trop grande (%1)</translation>
     </message>
     <message>
         <source>at most %1 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>au plus %1 pixels</translation>
     </message>
     <message>
         <source>a picture in %1 has an odd width (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>une image en %1 a une largeur impaire (%2)</translation>
     </message>
     <message>
         <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
-        <translation type="unfinished"></translation>
+        <translation>une ligne d’une image a %1 octets, ses %2 pixels en demandent %3</translation>
     </message>
     <message>
         <source>a picture has %1 bytes, its size says %2</source>
-        <translation type="unfinished"></translation>
+        <translation>une image a %1 octets, sa taille en dit %2</translation>
     </message>
     <message>
         <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
-        <translation type="unfinished"></translation>
+        <translation>une image n’est ni JPEG ni PNG, ou est trop grande (%1 octets)</translation>
     </message>
     <message>
         <source>JPEG or PNG of at most %1 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>JPEG ou PNG d’au plus %1 pixels</translation>
     </message>
     <message>
         <source>a picture is damaged (%1 bytes)</source>
-        <translation type="unfinished"></translation>
+        <translation>une image est abîmée (%1 octets)</translation>
     </message>
 </context>
 <context>
@@ -17068,36 +17068,36 @@ Lancez teleta-site --help pour en savoir plus.
     <name>teleta::camera::SceneTile</name>
     <message>
         <source>Waiting for the first picture</source>
-        <translation type="unfinished"></translation>
+        <translation>En attente de la première image</translation>
     </message>
     <message>
         <source>No picture for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas d’image depuis %1</translation>
     </message>
     <message>
         <source>%1 × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished">Hz</translation>
+        <translation>Hz</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>scene</source>
-        <translation type="unfinished"></translation>
+        <translation>scène</translation>
     </message>
     <message>
         <source>Picture of %1</source>
         <comment>a camera</comment>
-        <translation type="unfinished"></translation>
+        <translation>Image de %1</translation>
     </message>
     <message>
         <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;Ce qu’une caméra voit maintenant. Au-dessus figurent la taille de ses images, combien il en vient par seconde, et l’âge de celle qui est affichée&#xa0;: le temps depuis sa lecture.&lt;/p&gt;&lt;p&gt;Une image de plus d’une demi-seconde est assombrie et dit depuis combien de temps il n’en vient plus.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -20070,7 +20070,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished">Scène</translation>
+        <translation>Scène</translation>
     </message>
 </context>
 <context>

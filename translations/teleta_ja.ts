@@ -4743,7 +4743,7 @@ Examples:
     </message>
     <message>
         <source>The recorded pictures of the gel at rest have another size than the video.</source>
-        <translation type="unfinished"></translation>
+        <translation>記録された静止時のゲルの画像は、動画と大きさが異なります。</translation>
     </message>
 </context>
 <context>
@@ -4824,11 +4824,11 @@ Examples:
     </message>
     <message>
         <source>the scene ends before the gel at rest is known</source>
-        <translation type="unfinished"></translation>
+        <translation>ゲルの静止状態が分かる前にシーンが終わります</translation>
     </message>
     <message>
         <source>at least %1 pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>%1枚以上の画像</translation>
     </message>
 </context>
 <context>
@@ -8371,11 +8371,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The gel at rest could not be found, so there are no contacts. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ゲルの静止状態が見つからないため、接触はありません。%1</translation>
     </message>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
-        <translation type="unfinished">%2フレーム中%1フレームを使用できませんでした。最後の理由: %3</translation>
+        <translation>%2フレーム中%1フレームを使用できませんでした。最後の理由: %3</translation>
     </message>
 </context>
 <context>
@@ -9297,58 +9297,58 @@ Run %2 --help for more.
     <name>RosCamera</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>nobody publishes %1</source>
-        <translation type="unfinished">%1 を送信するものがありません</translation>
+        <translation>%1 を送信するものがありません</translation>
     </message>
     <message>
         <source>%1 is silent</source>
-        <translation type="unfinished">%1から何も届きません</translation>
+        <translation>%1から何も届きません</translation>
     </message>
 </context>
 <context>
     <name>RosCameraMessage</name>
     <message>
         <source>a picture has the encoding &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の符号化は「%1」です</translation>
     </message>
     <message>
         <source>a picture has no pixels (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像に画素がありません (%1)</translation>
     </message>
     <message>
         <source>a picture is too large (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像が大きすぎます (%1)</translation>
     </message>
     <message>
         <source>at most %1 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画素まで</translation>
     </message>
     <message>
         <source>a picture in %1 has an odd width (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の画像の幅が奇数です (%2)</translation>
     </message>
     <message>
         <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の1行は%1バイトですが、%2画素には%3バイトが必要です</translation>
     </message>
     <message>
         <source>a picture has %1 bytes, its size says %2</source>
-        <translation type="unfinished"></translation>
+        <translation>画像は%1バイトですが、その大きさによれば%2です</translation>
     </message>
     <message>
         <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像がJPEGでもPNGでもないか、大きすぎます (%1バイト)</translation>
     </message>
     <message>
         <source>JPEG or PNG of at most %1 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>%1画素までのJPEGまたはPNG</translation>
     </message>
     <message>
         <source>a picture is damaged (%1 bytes)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像が壊れています (%1バイト)</translation>
     </message>
 </context>
 <context>
@@ -17022,36 +17022,36 @@ Run teleta-site --help for more.
     <name>teleta::camera::SceneTile</name>
     <message>
         <source>Waiting for the first picture</source>
-        <translation type="unfinished"></translation>
+        <translation>最初の画像を待っています</translation>
     </message>
     <message>
         <source>No picture for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の間、画像がありません</translation>
     </message>
     <message>
         <source>%1 × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished">Hz</translation>
+        <translation>Hz</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>scene</source>
-        <translation type="unfinished"></translation>
+        <translation>現場</translation>
     </message>
     <message>
         <source>Picture of %1</source>
         <comment>a camera</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1の画像</translation>
     </message>
     <message>
         <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;カメラが今見ているものです。上には、画像の大きさ、1秒あたりの枚数、表示中の画像の経過時間（読み取ってからの時間）が表示されます。&lt;/p&gt;&lt;p&gt;0.5秒より古い画像は暗くなり、どれだけの間届いていないかを示します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -20012,7 +20012,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished">シーン</translation>
+        <translation>現場</translation>
     </message>
 </context>
 <context>

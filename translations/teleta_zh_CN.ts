@@ -4743,7 +4743,7 @@ Examples:
     </message>
     <message>
         <source>The recorded pictures of the gel at rest have another size than the video.</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的凝胶静止图像与视频的尺寸不同。</translation>
     </message>
 </context>
 <context>
@@ -4824,11 +4824,11 @@ Examples:
     </message>
     <message>
         <source>the scene ends before the gel at rest is known</source>
-        <translation type="unfinished"></translation>
+        <translation>场景在得知凝胶静止状态之前就结束了</translation>
     </message>
     <message>
         <source>at least %1 pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>至少 %1 幅图像</translation>
     </message>
 </context>
 <context>
@@ -8371,11 +8371,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>The gel at rest could not be found, so there are no contacts. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>找不到凝胶的静止状态，因此没有接触。%1</translation>
     </message>
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
-        <translation type="unfinished">%2 帧中有 %1 帧无法使用。最近一次的原因：%3</translation>
+        <translation>%2 帧中有 %1 帧无法使用。最近一次的原因：%3</translation>
     </message>
 </context>
 <context>
@@ -9297,58 +9297,58 @@ Run %2 --help for more.
     <name>RosCamera</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1：%2</translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>nobody publishes %1</source>
-        <translation type="unfinished">没有程序发布 %1</translation>
+        <translation>没有程序发布 %1</translation>
     </message>
     <message>
         <source>%1 is silent</source>
-        <translation type="unfinished">%1 没有数据</translation>
+        <translation>%1 没有数据</translation>
     </message>
 </context>
 <context>
     <name>RosCameraMessage</name>
     <message>
         <source>a picture has the encoding &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅图像的编码为“%1”</translation>
     </message>
     <message>
         <source>a picture has no pixels (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅图像没有像素（%1）</translation>
     </message>
     <message>
         <source>a picture is too large (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅图像过大（%1）</translation>
     </message>
     <message>
         <source>at most %1 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>最多 %1 个像素</translation>
     </message>
     <message>
         <source>a picture in %1 has an odd width (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅 %1 图像的宽度为奇数（%2）</translation>
     </message>
     <message>
         <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
-        <translation type="unfinished"></translation>
+        <translation>图像的一行有 %1 个字节，而 %2 个像素需要 %3 个</translation>
     </message>
     <message>
         <source>a picture has %1 bytes, its size says %2</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅图像有 %1 个字节，按其尺寸应为 %2 个</translation>
     </message>
     <message>
         <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅图像不是 JPEG 或 PNG，或者过大（%1 个字节）</translation>
     </message>
     <message>
         <source>JPEG or PNG of at most %1 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>最多 %1 个像素的 JPEG 或 PNG</translation>
     </message>
     <message>
         <source>a picture is damaged (%1 bytes)</source>
-        <translation type="unfinished"></translation>
+        <translation>一幅图像已损坏（%1 个字节）</translation>
     </message>
 </context>
 <context>
@@ -17022,36 +17022,36 @@ Run teleta-site --help for more.
     <name>teleta::camera::SceneTile</name>
     <message>
         <source>Waiting for the first picture</source>
-        <translation type="unfinished"></translation>
+        <translation>正在等待第一幅画面</translation>
     </message>
     <message>
         <source>No picture for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已有 %1 没有画面</translation>
     </message>
     <message>
         <source>%1 × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished">Hz</translation>
+        <translation>Hz</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>scene</source>
-        <translation type="unfinished"></translation>
+        <translation>现场</translation>
     </message>
     <message>
         <source>Picture of %1</source>
         <comment>a camera</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 的画面</translation>
     </message>
     <message>
         <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;p&gt;相机此刻看到的画面。上方是画面的尺寸、每秒的数量，以及所显示画面的时龄：自读取以来的时间。&lt;/p&gt;&lt;p&gt;超过半秒的画面会变暗，并说明已有多久没有画面。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -20012,7 +20012,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished">场景</translation>
+        <translation>现场</translation>
     </message>
 </context>
 <context>
