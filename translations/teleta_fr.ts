@@ -18129,10 +18129,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ouvrir une caméra</translation>
     </message>
     <message>
-        <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation>Le fichier de caméra écrit par la page Étalonnage ou par teleta calibrate</translation>
-    </message>
-    <message>
         <source>…</source>
         <translation>…</translation>
     </message>
@@ -18155,6 +18151,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Camera files (*.json)</source>
         <translation>Fichiers de caméra (*.json)</translation>
+    </message>
+    <message>
+        <source>The camera file that the page Calibrate or teleta calibrate has written; without one the camera is only looked at</source>
+        <translation>Le fichier de caméra écrit par la page Étalonnage ou par teleta calibrate&#xa0;; sans lui, la caméra ne fait que regarder</translation>
+    </message>
+    <message>
+        <source>none: only look</source>
+        <translation>aucun&#xa0;: regarder seulement</translation>
     </message>
 </context>
 <context>

@@ -18074,10 +18074,6 @@ Run teleta-site --help for more.
         <translation>カメラを開く</translation>
     </message>
     <message>
-        <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation>キャリブレーションページまたはteleta calibrateが書き込んだカメラファイル</translation>
-    </message>
-    <message>
         <source>…</source>
         <translation>…</translation>
     </message>
@@ -18100,6 +18096,14 @@ Run teleta-site --help for more.
     <message>
         <source>Camera files (*.json)</source>
         <translation>カメラファイル (*.json)</translation>
+    </message>
+    <message>
+        <source>The camera file that the page Calibrate or teleta calibrate has written; without one the camera is only looked at</source>
+        <translation>キャリブレーションページまたはteleta calibrateが書き込んだカメラファイル。なければカメラの画像を見るだけになります</translation>
+    </message>
+    <message>
+        <source>none: only look</source>
+        <translation>なし: 見るだけ</translation>
     </message>
 </context>
 <context>

@@ -18074,10 +18074,6 @@ Run teleta-site --help for more.
         <translation>打开相机</translation>
     </message>
     <message>
-        <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation>“标定”页或 teleta calibrate 写出的相机文件</translation>
-    </message>
-    <message>
         <source>…</source>
         <translation>…</translation>
     </message>
@@ -18100,6 +18096,14 @@ Run teleta-site --help for more.
     <message>
         <source>Camera files (*.json)</source>
         <translation>相机文件 (*.json)</translation>
+    </message>
+    <message>
+        <source>The camera file that the page Calibrate or teleta calibrate has written; without one the camera is only looked at</source>
+        <translation>“标定”页或 teleta calibrate 写出的相机文件；没有它时相机仅用于观看</translation>
+    </message>
+    <message>
+        <source>none: only look</source>
+        <translation>无：仅观看</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,8 @@ void ScenePicture::paint(QPainter& painter, const QSizeF& size, const QPalette& 
     paintCaption(painter, QRectF(0.0, 0.0, size.width(), captionHeight(font)), palette);
     if (!isEmpty()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform, room.width() < kSmoothUpTo * image.width_px);
-        painter.drawImage(room, shared());
+        // QPainter scales three bytes a pixel at half the speed of four; the conversion is a tenth of that.
+        painter.drawImage(room, shared().convertToFormat(QImage::Format_RGB32));
         if (!problem.isEmpty())
             painter.fillRect(room, kDimmed);
     }
