@@ -8384,8 +8384,8 @@ Run %2 --help for more.
         <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
     </message>
     <message>
-        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
-        <translation>l’enregistrement a les articulations d’un bras, et rien n’en est calculé</translation>
+        <source>the recording has joints of an arm or pictures to look at, and nothing that is computed from them</source>
+        <translation>l’enregistrement a des articulations d’un bras ou des images à regarder, et rien n’en est calculé</translation>
     </message>
     <message>
         <source>frames of an array or a camera</source>
@@ -17096,8 +17096,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Image de %1</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ce qu’une caméra voit maintenant. Au-dessus figurent la taille de ses images, combien il en vient par seconde, et l’âge de celle qui est affichée&#xa0;: le temps depuis sa lecture.&lt;/p&gt;&lt;p&gt;Une image de plus d’une demi-seconde est assombrie et dit depuis combien de temps il n’en vient plus.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture that is too old for the camera&apos;s rate is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ce qu’une caméra voit maintenant. Au-dessus figurent la taille de ses images, combien il en vient par seconde, et l’âge de celle qui est affichée&#xa0;: le temps depuis sa lecture.&lt;/p&gt;&lt;p&gt;Une image trop vieille pour la cadence de la caméra est assombrie et dit depuis combien de temps il n’en vient plus.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

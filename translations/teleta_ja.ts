@@ -8362,8 +8362,8 @@ Run %2 --help for more.
         <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
     </message>
     <message>
-        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
-        <translation>記録にあるのはアームの関節で、そこから計算するものはありません</translation>
+        <source>the recording has joints of an arm or pictures to look at, and nothing that is computed from them</source>
+        <translation>記録にあるのはアームの関節か見るだけの画像で、そこから計算するものはありません</translation>
     </message>
     <message>
         <source>frames of an array or a camera</source>
@@ -17050,8 +17050,8 @@ Run teleta-site --help for more.
         <translation>%1の画像</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;カメラが今見ているものです。上には、画像の大きさ、1秒あたりの枚数、表示中の画像の経過時間（読み取ってからの時間）が表示されます。&lt;/p&gt;&lt;p&gt;0.5秒より古い画像は暗くなり、どれだけの間届いていないかを示します。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture that is too old for the camera&apos;s rate is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;カメラが今見ているものです。上には、画像の大きさ、1秒あたりの枚数、表示中の画像の経過時間（読み取ってからの時間）が表示されます。&lt;/p&gt;&lt;p&gt;カメラのレートに対して古すぎる画像は暗くなり、どれだけの間届いていないかを示します。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -8362,8 +8362,8 @@ Run %2 --help for more.
         <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
     </message>
     <message>
-        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
-        <translation>记录中只有机械臂的关节，没有由其计算的内容</translation>
+        <source>the recording has joints of an arm or pictures to look at, and nothing that is computed from them</source>
+        <translation>记录中只有机械臂的关节或仅供观看的画面，没有由其计算的内容</translation>
     </message>
     <message>
         <source>frames of an array or a camera</source>
@@ -17050,8 +17050,8 @@ Run teleta-site --help for more.
         <translation>%1 的画面</translation>
     </message>
     <message>
-        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture older than half a second is dimmed, and says for how long none has come.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;相机此刻看到的画面。上方是画面的尺寸、每秒的数量，以及所显示画面的时龄：自读取以来的时间。&lt;/p&gt;&lt;p&gt;超过半秒的画面会变暗，并说明已有多久没有画面。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture that is too old for the camera&apos;s rate is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;相机此刻看到的画面。上方是画面的尺寸、每秒的数量，以及所显示画面的时龄：自读取以来的时间。&lt;/p&gt;&lt;p&gt;相对于相机速率过旧的画面会变暗，并说明已有多久没有画面。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

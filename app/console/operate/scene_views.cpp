@@ -28,7 +28,7 @@ void SceneViews::setSources(const std::vector<SourceManager::Item>& items) {
     m_panel->setCameras(keys);
     for (const SourceManager::Item& item : items) {
         if (camera::SceneTile* tile = m_panel->tile(item.key)) {
-            tile->setName(item.name);
+            tile->setName(QString::fromStdString(item.channel->summary().name));
             tile->setProvenance(provenanceOf(item));
         }
     }

@@ -163,7 +163,7 @@ py::tuple toTuple(const Recording& recording, std::size_t index, CollectedFrames
     py::array values;
     if (stream.type == ValueType::grey8) {
         shape.insert(shape.end(), {frames.height_px, frames.width_px});
-        if (recording::isColour(stream)) {
+        if (recording::isColour(stream) && frames.width_px % 3 == 0) {
             shape.back() /= 3;
             shape.push_back(3);
         }

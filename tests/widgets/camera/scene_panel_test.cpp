@@ -146,6 +146,9 @@ private slots:
         const QPoint corner =
             tile.picture().imageRect(QSizeF(tile.size())).topLeft().toPoint() + QPoint(3, 3);
         QCOMPARE(shownAt(tile, corner), white);
+        // One picture in five seconds is what a slow camera gives.
+        tile.setReading(live(4.0, 1.5));
+        QCOMPARE(shownAt(tile, corner), white);
         SceneReading old = live(1.24, 2.0);
         old.state = DeviceState::stale;
         old.reason = QStringLiteral("/front/image_raw is silent");
@@ -160,6 +163,7 @@ private slots:
                      qPrintable(tile.accessibleDescription()));
         tile.setReading(live(0.02, 2.1));
         QCOMPARE(shownAt(tile, corner), white);
+        QVERIFY2(numbersOf(tile).endsWith(QLatin1String("20 ms")), "not what it was before");
         QVERIFY(tile.picture().problem.isEmpty());
         // A lost camera is dimmed at once.
         SceneReading lost = live(0.02, 2.2);

@@ -43,7 +43,8 @@ QString SceneTile::problemOf(const SceneReading& reading) const {
     if (m_picture.isEmpty())
         return tr("Waiting for the first picture");
     const bool isLost = reading.state == DeviceState::lost || reading.state == DeviceState::reconnecting;
-    if (!isLost && reading.age_s <= kOldest_s)
+    // A slow camera is live between its pictures.
+    if (!isLost && (reading.state == DeviceState::live || reading.age_s <= kOldest_s))
         return {};
     return tr("No picture for %1").arg(base::ageText(reading.age_s));
 }
@@ -51,7 +52,7 @@ QString SceneTile::problemOf(const SceneReading& reading) const {
 void SceneTile::setReading(const SceneReading& reading) {
     const QString problem = problemOf(reading);
     const QString reason = problem.isEmpty() ? QString() : reading.reason;
-    m_oldest_s = std::max(m_oldest_s, reading.age_s);
+    m_oldest_s = problem.isEmpty() ? std::max(m_oldest_s, reading.age_s) : 0.0;
     bool changed =
         reading.state != m_picture.state || problem != m_picture.problem || reason != m_picture.reason;
     const bool isNow = problem.isEmpty() && reading.state == DeviceState::live && !m_picture.isEmpty();
@@ -120,7 +121,7 @@ void SceneTile::retranslate() {
     setWhatsThis(
         tr("<p>What a camera sees now. Above it stand the size of its pictures, how many come in a "
            "second, and the age of the one that is shown: the time since it was read.</p><p>A picture "
-           "older than half a second is dimmed, and says for how long none has come.</p>"));
+           "that is too old for the camera's rate is dimmed, and says for how long none has come.</p>"));
     m_numbers_ns = 0;
     describe();
     update();

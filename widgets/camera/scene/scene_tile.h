@@ -21,7 +21,7 @@ struct SceneReading {
 
 /// One camera in the dock Scene: its newest picture, its name, and the size, rate and age of the picture. The
 /// numbers change twice a second; the age is the greatest that was shown since. A picture older than
-/// kOldest_s, and one of a camera that is lost, is dimmed. Thread: GUI.
+/// kOldest_s of a camera that is stale, and one of a camera that is lost, is dimmed. Thread: GUI.
 class SceneTile : public base::PictureView<ScenePicture> {
     Q_OBJECT
 public:

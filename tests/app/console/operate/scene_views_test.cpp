@@ -133,7 +133,7 @@ private slots:
             return isNear(tile(0).picture().image, 200, 40, 20) &&
                    isNear(tile(1).picture().image, 20, 40, 200);
         }));
-        QCOMPARE(tile(0).accessibleName(), QStringLiteral("Picture of red"));
+        QCOMPARE(tile(0).accessibleName(), QStringLiteral("Picture of red.avi"));
         QVERIFY(tile(0).picture().provenance == base::Provenance::recorded);
         QVERIFY(comes([&] { return tile(0).picture().numbers.size() == 3; }));
         const auto readings = m_page->readings();
@@ -214,6 +214,7 @@ private slots:
             return !panel().cameras().empty() && isNear(tile(0).picture().image, 200, 40, 20) &&
                    tile(0).picture().state == core::DeviceState::finished;
         }));
+        QCOMPARE(tile(0).picture().name, QStringLiteral("front"));
         QCOMPARE(tile(0).picture().image.width_px, 64);
         QVERIFY(tile(0).picture().provenance == base::Provenance::recorded);
         QVERIFY(m_sources->find(key)->playback() != nullptr);
