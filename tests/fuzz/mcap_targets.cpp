@@ -66,11 +66,11 @@ bool mcapFile(Bytes bytes) {
 /// The first byte chooses what the message is read as, the second how many columns it has.
 bool mcapMessage(Bytes bytes) {
     constexpr std::array kRoles{
-        mcap::TopicRole::arrayImage,    mcap::TopicRole::cameraImage,   mcap::TopicRole::arrayPicture,
-        mcap::TopicRole::cameraPicture, mcap::TopicRole::colourPicture, mcap::TopicRole::tactileArray,
-        mcap::TopicRole::multiArray,    mcap::TopicRole::joints,        mcap::TopicRole::wrench,
-        mcap::TopicRole::features,      mcap::TopicRole::touch,         mcap::TopicRole::contacts,
-        mcap::TopicRole::tactors,       mcap::TopicRole::event};
+        mcap::TopicRole::arrayImage,    mcap::TopicRole::cameraImage,  mcap::TopicRole::arrayPicture,
+        mcap::TopicRole::cameraPicture, mcap::TopicRole::tactileArray, mcap::TopicRole::multiArray,
+        mcap::TopicRole::joints,        mcap::TopicRole::wrench,       mcap::TopicRole::features,
+        mcap::TopicRole::touch,         mcap::TopicRole::contacts,     mcap::TopicRole::tactors,
+        mcap::TopicRole::event,         mcap::TopicRole::colourPicture};
     if (bytes.size() < 2)
         return false;
     const mcap::TopicRole role = kRoles[bytes[0] % kRoles.size()];
