@@ -8408,10 +8408,6 @@ Run %2 --help for more.
         <translation>cela concerne une matrice, mais le flux «&#xa0;%1&#xa0;» est celui d’une caméra</translation>
     </message>
     <message>
-        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
-        <translation>l’enregistrement a les articulations d’un bras, et rien n’en est calculé</translation>
-    </message>
-    <message>
         <source>frames of an array or a camera</source>
         <translation>des trames de matrice ou des images de caméra</translation>
     </message>
@@ -8422,6 +8418,10 @@ Run %2 --help for more.
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
         <translation>%1 trames sur %2 n’ont pas pu servir. La dernière raison&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>the recording has joints of an arm or pictures to look at, and nothing that is computed from them</source>
+        <translation>l’enregistrement a des articulations d’un bras ou des images à regarder, et rien n’en est calculé</translation>
     </message>
 </context>
 <context>
@@ -9340,6 +9340,64 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = un nombre dans l’unité des valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>RosCamera</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>personne ne publie&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1 se tait</translation>
+    </message>
+</context>
+<context>
+    <name>RosCameraMessage</name>
+    <message>
+        <source>a picture has the encoding &quot;%1&quot;</source>
+        <translation>une image a le codage «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a picture has no pixels (%1)</source>
+        <translation>une image n’a pas de pixels (%1)</translation>
+    </message>
+    <message>
+        <source>a picture is too large (%1)</source>
+        <translation>une image est trop grande (%1)</translation>
+    </message>
+    <message>
+        <source>at most %1 pixels</source>
+        <translation>au plus %1 pixels</translation>
+    </message>
+    <message>
+        <source>a picture in %1 has an odd width (%2)</source>
+        <translation>une image en %1 a une largeur impaire (%2)</translation>
+    </message>
+    <message>
+        <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
+        <translation>une ligne d’une image a %1 octets, ses %2 pixels en demandent %3</translation>
+    </message>
+    <message>
+        <source>a picture has %1 bytes, its size says %2</source>
+        <translation>une image a %1 octets, sa taille en dit %2</translation>
+    </message>
+    <message>
+        <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
+        <translation>une image n’est ni JPEG ni PNG, ou est trop grande (%1 octets)</translation>
+    </message>
+    <message>
+        <source>JPEG or PNG of at most %1 pixels</source>
+        <translation>JPEG ou PNG d’au plus %1 pixels</translation>
+    </message>
+    <message>
+        <source>a picture is damaged (%1 bytes)</source>
+        <translation>une image est abîmée (%1 octets)</translation>
     </message>
 </context>
 <context>
@@ -17031,6 +17089,42 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::camera::SceneTile</name>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation>En attente de la première image</translation>
+    </message>
+    <message>
+        <source>No picture for %1</source>
+        <translation>Pas d’image depuis %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>scène</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <comment>a camera</comment>
+        <translation>Image de %1</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture that is too old for the camera&apos;s rate is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ce qu’une caméra voit maintenant. Au-dessus figurent la taille de ses images, combien il en vient par seconde, et l’âge de celle qui est affichée&#xa0;: le temps depuis sa lecture.&lt;/p&gt;&lt;p&gt;Une image trop vieille pour la cadence de la caméra est assombrie et dit depuis combien de temps il n’en vient plus.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message>
         <source>prepare</source>
@@ -18059,10 +18153,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ouvrir une caméra</translation>
     </message>
     <message>
-        <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation>Le fichier de caméra écrit par la page Étalonnage ou par teleta calibrate</translation>
-    </message>
-    <message>
         <source>…</source>
         <translation>…</translation>
     </message>
@@ -18085,6 +18175,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Camera files (*.json)</source>
         <translation>Fichiers de caméra (*.json)</translation>
+    </message>
+    <message>
+        <source>The camera file that the page Calibrate or teleta calibrate has written; without one the camera is only looked at</source>
+        <translation>Le fichier de caméra écrit par la page Étalonnage ou par teleta calibrate&#xa0;; sans lui, la caméra ne fait que regarder</translation>
+    </message>
+    <message>
+        <source>none: only look</source>
+        <translation>aucun&#xa0;: regarder seulement</translation>
     </message>
 </context>
 <context>
@@ -20035,6 +20133,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Gel</source>
         <translation>Gel</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
     </message>
 </context>
 <context>

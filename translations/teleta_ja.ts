@@ -8386,10 +8386,6 @@ Run %2 --help for more.
         <translation>アレイ用のオプションですが、ストリーム「%1」はカメラのものです</translation>
     </message>
     <message>
-        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
-        <translation>記録にあるのはアームの関節で、そこから計算するものはありません</translation>
-    </message>
-    <message>
         <source>frames of an array or a camera</source>
         <translation>アレイまたはカメラのフレーム</translation>
     </message>
@@ -8400,6 +8396,10 @@ Run %2 --help for more.
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
         <translation>%2フレーム中%1フレームは使えませんでした。最後の理由：%3</translation>
+    </message>
+    <message>
+        <source>the recording has joints of an arm or pictures to look at, and nothing that is computed from them</source>
+        <translation>記録にあるのはアームの関節か見るだけの画像で、そこから計算するものはありません</translation>
     </message>
 </context>
 <context>
@@ -9315,6 +9315,64 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = 値の単位での数</translation>
+    </message>
+</context>
+<context>
+    <name>RosCamera</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>%1 を送信するものがありません</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1から何も届きません</translation>
+    </message>
+</context>
+<context>
+    <name>RosCameraMessage</name>
+    <message>
+        <source>a picture has the encoding &quot;%1&quot;</source>
+        <translation>画像の符号化は「%1」です</translation>
+    </message>
+    <message>
+        <source>a picture has no pixels (%1)</source>
+        <translation>画像に画素がありません (%1)</translation>
+    </message>
+    <message>
+        <source>a picture is too large (%1)</source>
+        <translation>画像が大きすぎます (%1)</translation>
+    </message>
+    <message>
+        <source>at most %1 pixels</source>
+        <translation>%1画素まで</translation>
+    </message>
+    <message>
+        <source>a picture in %1 has an odd width (%2)</source>
+        <translation>%1の画像の幅が奇数です (%2)</translation>
+    </message>
+    <message>
+        <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
+        <translation>画像の1行は%1バイトですが、%2画素には%3バイトが必要です</translation>
+    </message>
+    <message>
+        <source>a picture has %1 bytes, its size says %2</source>
+        <translation>画像は%1バイトですが、その大きさによれば%2です</translation>
+    </message>
+    <message>
+        <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
+        <translation>画像がJPEGでもPNGでもないか、大きすぎます (%1バイト)</translation>
+    </message>
+    <message>
+        <source>JPEG or PNG of at most %1 pixels</source>
+        <translation>%1画素までのJPEGまたはPNG</translation>
+    </message>
+    <message>
+        <source>a picture is damaged (%1 bytes)</source>
+        <translation>画像が壊れています (%1バイト)</translation>
     </message>
 </context>
 <context>
@@ -16985,6 +17043,42 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::camera::SceneTile</name>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation>最初の画像を待っています</translation>
+    </message>
+    <message>
+        <source>No picture for %1</source>
+        <translation>%1の間、画像がありません</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>現場</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <comment>a camera</comment>
+        <translation>%1の画像</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture that is too old for the camera&apos;s rate is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;カメラが今見ているものです。上には、画像の大きさ、1秒あたりの枚数、表示中の画像の経過時間（読み取ってからの時間）が表示されます。&lt;/p&gt;&lt;p&gt;カメラのレートに対して古すぎる画像は暗くなり、どれだけの間届いていないかを示します。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message>
         <source>prepare</source>
@@ -18004,10 +18098,6 @@ Run teleta-site --help for more.
         <translation>カメラを開く</translation>
     </message>
     <message>
-        <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation>キャリブレーションページまたはteleta calibrateが書き込んだカメラファイル</translation>
-    </message>
-    <message>
         <source>…</source>
         <translation>…</translation>
     </message>
@@ -18030,6 +18120,14 @@ Run teleta-site --help for more.
     <message>
         <source>Camera files (*.json)</source>
         <translation>カメラファイル (*.json)</translation>
+    </message>
+    <message>
+        <source>The camera file that the page Calibrate or teleta calibrate has written; without one the camera is only looked at</source>
+        <translation>キャリブレーションページまたはteleta calibrateが書き込んだカメラファイル。なければカメラの画像を見るだけになります</translation>
+    </message>
+    <message>
+        <source>none: only look</source>
+        <translation>なし: 見るだけ</translation>
     </message>
 </context>
 <context>
@@ -19975,6 +20073,10 @@ Run teleta-site --help for more.
     <message>
         <source>Gel</source>
         <translation>ゲル</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>現場</translation>
     </message>
 </context>
 <context>

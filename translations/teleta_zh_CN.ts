@@ -8386,10 +8386,6 @@ Run %2 --help for more.
         <translation>此选项用于阵列，但数据流“%1”来自相机</translation>
     </message>
     <message>
-        <source>the recording has the joints of an arm, and nothing that is computed from them</source>
-        <translation>记录中只有机械臂的关节，没有由其计算的内容</translation>
-    </message>
-    <message>
         <source>frames of an array or a camera</source>
         <translation>阵列或摄像头的帧</translation>
     </message>
@@ -8400,6 +8396,10 @@ Run %2 --help for more.
     <message>
         <source>%1 of %2 frames could not be used. The last reason: %3</source>
         <translation>%2 帧中有 %1 帧无法使用。最后的原因：%3</translation>
+    </message>
+    <message>
+        <source>the recording has joints of an arm or pictures to look at, and nothing that is computed from them</source>
+        <translation>记录中只有机械臂的关节或仅供观看的画面，没有由其计算的内容</translation>
     </message>
 </context>
 <context>
@@ -9315,6 +9315,64 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = 以数值的单位表示的数</translation>
+    </message>
+</context>
+<context>
+    <name>RosCamera</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>没有程序发布 %1</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1 没有数据</translation>
+    </message>
+</context>
+<context>
+    <name>RosCameraMessage</name>
+    <message>
+        <source>a picture has the encoding &quot;%1&quot;</source>
+        <translation>一幅图像的编码为“%1”</translation>
+    </message>
+    <message>
+        <source>a picture has no pixels (%1)</source>
+        <translation>一幅图像没有像素（%1）</translation>
+    </message>
+    <message>
+        <source>a picture is too large (%1)</source>
+        <translation>一幅图像过大（%1）</translation>
+    </message>
+    <message>
+        <source>at most %1 pixels</source>
+        <translation>最多 %1 个像素</translation>
+    </message>
+    <message>
+        <source>a picture in %1 has an odd width (%2)</source>
+        <translation>一幅 %1 图像的宽度为奇数（%2）</translation>
+    </message>
+    <message>
+        <source>a row of a picture has %1 bytes, its %2 pixels need %3</source>
+        <translation>图像的一行有 %1 个字节，而 %2 个像素需要 %3 个</translation>
+    </message>
+    <message>
+        <source>a picture has %1 bytes, its size says %2</source>
+        <translation>一幅图像有 %1 个字节，按其尺寸应为 %2 个</translation>
+    </message>
+    <message>
+        <source>a picture is no JPEG or PNG, or too large (%1 bytes)</source>
+        <translation>一幅图像不是 JPEG 或 PNG，或者过大（%1 个字节）</translation>
+    </message>
+    <message>
+        <source>JPEG or PNG of at most %1 pixels</source>
+        <translation>最多 %1 个像素的 JPEG 或 PNG</translation>
+    </message>
+    <message>
+        <source>a picture is damaged (%1 bytes)</source>
+        <translation>一幅图像已损坏（%1 个字节）</translation>
     </message>
 </context>
 <context>
@@ -16985,6 +17043,42 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::camera::SceneTile</name>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation>正在等待第一幅画面</translation>
+    </message>
+    <message>
+        <source>No picture for %1</source>
+        <translation>已有 %1 没有画面</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>现场</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <comment>a camera</comment>
+        <translation>%1 的画面</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What a camera sees now. Above it stand the size of its pictures, how many come in a second, and the age of the one that is shown: the time since it was read.&lt;/p&gt;&lt;p&gt;A picture that is too old for the camera&apos;s rate is dimmed, and says for how long none has come.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;相机此刻看到的画面。上方是画面的尺寸、每秒的数量，以及所显示画面的时龄：自读取以来的时间。&lt;/p&gt;&lt;p&gt;相对于相机速率过旧的画面会变暗，并说明已有多久没有画面。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::StageBar</name>
     <message>
         <source>prepare</source>
@@ -18004,10 +18098,6 @@ Run teleta-site --help for more.
         <translation>打开相机</translation>
     </message>
     <message>
-        <source>The camera file that the page Calibrate or teleta calibrate has written</source>
-        <translation>“标定”页或 teleta calibrate 写出的相机文件</translation>
-    </message>
-    <message>
         <source>…</source>
         <translation>…</translation>
     </message>
@@ -18030,6 +18120,14 @@ Run teleta-site --help for more.
     <message>
         <source>Camera files (*.json)</source>
         <translation>相机文件 (*.json)</translation>
+    </message>
+    <message>
+        <source>The camera file that the page Calibrate or teleta calibrate has written; without one the camera is only looked at</source>
+        <translation>“标定”页或 teleta calibrate 写出的相机文件；没有它时相机仅用于观看</translation>
+    </message>
+    <message>
+        <source>none: only look</source>
+        <translation>无：仅观看</translation>
     </message>
 </context>
 <context>
@@ -19975,6 +20073,10 @@ Run teleta-site --help for more.
     <message>
         <source>Gel</source>
         <translation>凝胶</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>现场</translation>
     </message>
 </context>
 <context>

@@ -343,7 +343,7 @@ void MainWindow::openCamera() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         m_settings.setCamera(dialog->request());
-        m_sources.open(dialog->request());
+        m_sources.open(dialog->sourceRequest());
     });
     dialog->open();
 }

@@ -53,7 +53,7 @@ void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
         return;
     }
     device.id = readId(table, {});
-    for (const char* key : {"camera", "gel", "recording"}) {
+    for (const char* key : {"camera", "gel", "recording", "scene_camera"}) {
         if (table.has(key))
             table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
                        SiteFileText::tr("file, wts, taxels or scene").toStdString());

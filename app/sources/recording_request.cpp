@@ -7,6 +7,7 @@
 #include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
+#include "backend/pipeline/scene_camera_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "devices/replay/recorded_device.h"
 
@@ -79,6 +80,14 @@ core::Expected<Opened> openGel(replay::RecordedConfig config, const recording::R
                                                   source.file, std::move(reference));
 }
 
+core::Expected<Opened> openSceneCamera(replay::RecordedConfig config,
+                                       const pipeline::RecordedSceneCamera& source) {
+    config.stream = source.stream;
+    config.camera = source.description;
+    TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
+    return std::make_shared<pipeline::SceneCameraChannel>(std::make_unique<replay::RecordedCamera>(player));
+}
+
 } // namespace
 
 bool isRecordingName(const QString& path) {
@@ -108,6 +117,8 @@ core::Expected<std::vector<RecordingRequest>> recordingRequestsOf(const std::str
     TELETA_TRY(const auto recording, recording::Recording::open(path));
     TELETA_TRY(const auto sources, pipeline::recordedSources(recording));
     std::vector<RecordingRequest> requests;
+    for (const pipeline::RecordedSceneCamera& camera : sources.sceneCameras)
+        requests.push_back({path, recording.streams()[camera.stream].name, camera.description.name, false});
     for (const pipeline::RecordedCamera& camera : sources.cameras)
         requests.push_back({path, recording.streams()[camera.stream].name, camera.description.name, false});
     for (const pipeline::RecordedGel& gel : sources.gels)
@@ -145,6 +156,9 @@ core::Expected<std::shared_ptr<pipeline::Channel>> openRecording(const Recording
     for (const pipeline::RecordedGel& source : sources.gels)
         if (isIt(source.stream))
             return openGel(std::move(config), recording, source);
+    for (const pipeline::RecordedSceneCamera& source : sources.sceneCameras)
+        if (isIt(source.stream))
+            return openSceneCamera(std::move(config), source);
     return core::failed(core::ErrorKind::refused,
                         PlaybackText::tr("the recording has no stream \"%1\" to play")
                             .arg(QString::fromStdString(request.stream)),

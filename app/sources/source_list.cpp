@@ -7,6 +7,7 @@
 #include "backend/vision/gel/marker_gel_file.h"
 #include "devices/camera/camera_device.h"
 #include "devices/link/link_address.h"
+#include "devices/ros/camera/ros_camera_file.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -144,6 +145,21 @@ void describeGel(Keys& keys, const std::string& listPath, GelRequest& request) {
     keys.flag("loop", request.loop, "A video starts again at its end");
 }
 
+void describeSceneCamera(Keys& keys, const std::string& listPath, SceneCameraRequest& request) {
+    keys.text("scene_camera", request.source,
+              "Camera that is only looked at: its number, a video, a pattern of numbered pictures, or a file "
+              "that describes one over ROS 2 (`kind = \"ros_camera\"`)");
+    if (!camera::isCameraNumber(request.source))
+        request.source = besideList(listPath, request.source);
+    keys.whole("width_px", request.width_px, {0, 16384}, "Width asked of a camera; 0: its own",
+               Need::optional);
+    keys.whole("height_px", request.height_px, {0, 16384}, "Height asked of a camera; 0: its own",
+               Need::optional);
+    keys.number("rate_Hz", request.rate_Hz, NumberRange::between(0.0, 1000.0),
+                "Pictures a second asked of a camera; 0: its own", Need::optional);
+    keys.flag("loop", request.loop, "A video starts again at its end");
+}
+
 template <typename Request>
 void add(Keys& keys, const std::string& listPath, std::vector<SourceRequest>& requests,
          void (*describe)(Keys&, const std::string&, Request&)) {
@@ -165,6 +181,8 @@ SourceKind kindOf(core::TomlTable& table) {
         return SourceKind::taxels;
     if (table.has("gel"))
         return SourceKind::gel;
+    if (table.has("scene_camera"))
+        return SourceKind::sceneCamera;
     return isRecordingName(QString::fromStdString(table.text("recording"))) ? SourceKind::playback
                                                                             : SourceKind::recording;
 }
@@ -190,6 +208,8 @@ void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPa
         return add(keys, listPath, requests, describeTaxels);
     case SourceKind::gel:
         return add(keys, listPath, requests, describeGel);
+    case SourceKind::sceneCamera:
+        return add(keys, listPath, requests, describeSceneCamera);
     }
 }
 
@@ -208,6 +228,10 @@ bool describesGel(const core::TomlDocument& document) {
     return isOfKind(document, "marker_gel");
 }
 
+bool describesSceneCamera(const core::TomlDocument& document) {
+    return ros_camera::isRosCameraKind(document.root().text("kind", std::string()));
+}
+
 bool hasKind(const std::string& path, std::string_view kind) {
     const auto document = core::TomlDocument::open(path);
     return document && isOfKind(*document, kind);
@@ -217,8 +241,8 @@ bool hasKind(const std::string& path, std::string_view kind) {
 
 bool isSourceList(const std::string& path) {
     const auto document = core::TomlDocument::open(path);
-    return document &&
-           (document->root().has("source") || describesArray(*document) || describesGel(*document));
+    return document && (document->root().has("source") || describesArray(*document) ||
+                        describesGel(*document) || describesSceneCamera(*document));
 }
 
 bool isArmFile(const std::string& path) {
@@ -241,6 +265,11 @@ core::Expected<std::vector<SourceRequest>> readSourceList(const std::string& pat
     if (describesGel(document)) {
         TELETA_CHECK(vision::readMarkerGel(path));
         requests.emplace_back(GelRequest{path});
+        return requests;
+    }
+    if (describesSceneCamera(document)) {
+        TELETA_CHECK(ros_camera::readRosCamera(path));
+        requests.emplace_back(SceneCameraRequest{path});
         return requests;
     }
     for (core::TomlTable& table : root.tables("source", 1)) {

@@ -12,6 +12,7 @@
 #include "backend/pipeline/camera_channel.h"
 #include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
+#include "backend/pipeline/scene_camera_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/camera/scene_reaction.h"
@@ -28,6 +29,7 @@
 #include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
 #include "devices/ros/array/ros_array.h"
+#include "devices/ros/camera/ros_camera.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/simulated/simulated_arm_device.h"
 #include "devices/simulated/simulated_array_device.h"
@@ -175,6 +177,27 @@ core::Expected<Opened> openGel(const GelRequest& request) {
     return std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(file));
 }
 
+bool isDescription(const SceneCameraRequest& request) {
+    return QString::fromStdString(request.source).endsWith(QLatin1String(".toml"), Qt::CaseInsensitive);
+}
+
+core::Expected<Opened> openSceneCamera(const SceneCameraRequest& request) {
+    if (isDescription(request)) {
+        TELETA_TRY(auto file, ros_camera::readRosCamera(request.source));
+        TELETA_TRY(auto source, ros_camera::RosCamera::open(std::move(file)));
+        return std::make_shared<pipeline::SceneCameraChannel>(std::move(source));
+    }
+    camera::CameraConfig config;
+    config.source = request.source;
+    config.width_px = request.width_px;
+    config.height_px = request.height_px;
+    config.rate_Hz = request.rate_Hz;
+    config.channel = camera::VideoChannel::colour;
+    config.loop = request.loop;
+    TELETA_TRY(auto feed, camera::CameraDevice::open(std::move(config)));
+    return std::make_shared<pipeline::SceneCameraChannel>(std::move(feed));
+}
+
 /// An arm without a skin: what it touches is not known.
 core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop,
                                   const std::function<bool()>& cancelled) {
@@ -233,6 +256,9 @@ QString linkOf(const SourceRequest& request) {
     if (const auto* camera = std::get_if<CameraRequest>(&request);
         camera && camera::isCameraNumber(camera->source))
         return QStringLiteral("/dev/video") + QString::fromStdString(camera->source);
+    if (const auto* camera = std::get_if<SceneCameraRequest>(&request);
+        camera && camera::isCameraNumber(camera->source))
+        return QStringLiteral("/dev/video") + QString::fromStdString(camera->source);
     const auto* connected = std::get_if<WtsRequest>(&request);
     return connected != nullptr ? QString::fromStdString(link::displayName(connected->config.address))
                                 : QString();
@@ -253,6 +279,8 @@ QString pathOf(const SourceRequest& request) {
         return QString::fromStdString(described->path);
     if (const auto* gel = std::get_if<GelRequest>(&request))
         return QString::fromStdString(gel->path);
+    if (const auto* camera = std::get_if<SceneCameraRequest>(&request))
+        return QString::fromStdString(camera->source);
     const auto* scene = std::get_if<SceneRequest>(&request);
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
@@ -300,6 +328,8 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
             return openTaxels(*described, cancelled);
         if (const auto* gel = std::get_if<GelRequest>(&request))
             return openGel(*gel);
+        if (const auto* camera = std::get_if<SceneCameraRequest>(&request))
+            return openSceneCamera(*camera);
         return openScene(std::get<SceneRequest>(request), stop);
     };
 }

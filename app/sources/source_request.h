@@ -64,6 +64,17 @@ struct GelRequest {
     bool loop = true; ///< of a video
 };
 
+/// A camera that is only looked at, or a video.
+struct SceneCameraRequest {
+    /// The number of a camera, a video, a pattern of numbered pictures, or a file that describes a camera
+    /// over ROS 2, see ros_camera::readRosCamera().
+    std::string source;
+    int width_px = 0; ///< asked of a camera; 0: its own
+    int height_px = 0;
+    double rate_Hz = 0.0;
+    bool loop = true; ///< of a video
+};
+
 /// An array that a file describes.
 struct TaxelsRequest {
     std::string path; ///< the file, see readArrayFile()
@@ -77,7 +88,7 @@ struct ArmRequest {
 };
 
 using SourceRequest = std::variant<CsvRequest, SceneRequest, WtsRequest, CameraRequest, RecordingRequest,
-                                   ArmRequest, SiteRequest, TaxelsRequest, GelRequest>;
+                                   ArmRequest, SiteRequest, TaxelsRequest, GelRequest, SceneCameraRequest>;
 
 /// Name under which people know the source: the file name without its folder, or the name of the link.
 [[nodiscard]] QString displayName(const SourceRequest& request);

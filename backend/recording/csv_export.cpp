@@ -66,7 +66,7 @@ void writeFrame(core::CsvWriter& csv, const StreamInfo& stream, const core::Tapp
     const std::size_t channels = stream.channels();
     if (stream.kind == StreamKind::camera) {
         csv.number(block.sourceTime_s[frame]);
-        csv.integer(block.image.width_px);
+        csv.integer(isColour(stream) ? block.image.width_px / 3 : block.image.width_px);
         csv.integer(block.image.height_px);
     } else if (stream.type == ValueType::float32) {
         writeNumbers(csv, valuesOf<float>(block, frame, channels));

@@ -50,7 +50,7 @@ struct StreamInfo {
     StreamKind kind = StreamKind::array;
     ValueType type = ValueType::float32;
     std::string source{}; ///< the device, as people know it
-    /// Of one frame, row-major; [height, width] of a picture, 0 where it varies.
+    /// Of one frame, row-major; [height, width] of a picture, [h, w, 3] in colour; 0 where it varies.
     std::vector<std::size_t> shape{};
     std::string unit{};            ///< of all values; empty when the columns say it
     std::vector<Column> columns{}; ///< empty: t0, t1, ...

@@ -7,6 +7,11 @@
 
 namespace teleta::recording {
 
+bool isColour(const StreamInfo& stream) {
+    constexpr std::size_t kColours = 3;
+    return stream.type == ValueType::grey8 && stream.shape.size() == 3 && stream.shape[2] == kColours;
+}
+
 StreamInfo jointStream(double nominalRate_Hz, std::size_t joints) {
     StreamInfo info;
     info.name = "joints";

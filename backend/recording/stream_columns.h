@@ -13,6 +13,9 @@
 
 namespace teleta::recording {
 
+/// Whether the pictures of a stream are in colour: each has the bytes of core::bytesOf().
+[[nodiscard]] bool isColour(const StreamInfo& stream);
+
 /// Kinds of value in a stream of joint samples: first all angles, then all torques, then all references.
 inline constexpr std::size_t kJointKinds = 3;
 

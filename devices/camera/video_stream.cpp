@@ -63,6 +63,16 @@ int indexOf(VideoChannel channel) {
     return channel == VideoChannel::blue ? 0 : channel == VideoChannel::green ? 1 : 2;
 }
 
+/// Red, green and blue side by side.
+cv::Mat1b colourBytes(const cv::Mat& image) {
+    cv::Mat rgb;
+    cv::cvtColor(image, rgb,
+                 image.channels() == 1   ? cv::COLOR_GRAY2RGB
+                 : image.channels() == 4 ? cv::COLOR_BGRA2RGB
+                                         : cv::COLOR_BGR2RGB);
+    return rgb.reshape(1);
+}
+
 core::FileDescriptor openNode(int number, int flags) {
     return core::FileDescriptor(
         ::open(("/dev/video" + std::to_string(number)).c_str(), O_RDWR | O_CLOEXEC | flags));
@@ -178,7 +188,9 @@ VideoStream::Outcome VideoStream::next(cv::Mat1b& frame, double& time_s) {
         ++m_read;
         if (!m_capture->retrieve(m_image) || m_image.empty() || m_image.depth() != CV_8U)
             return Outcome::undecodable;
-        if (m_image.channels() == 1)
+        if (m_channel == VideoChannel::colour)
+            frame = colourBytes(m_image);
+        else if (m_image.channels() == 1)
             m_image.copyTo(frame);
         else if (m_channel != VideoChannel::grey)
             cv::extractChannel(m_image, frame, indexOf(m_channel));

@@ -43,6 +43,7 @@ const std::map<std::string, Target>& targets() {
         {"remote_site_file", remoteSiteFile},
         {"ros_arm_file", rosArmFile},
         {"ros_array_messages", rosArrayMessages},
+        {"ros_camera_messages", rosCameraMessages},
         {"ros_joint_states", rosJointStates},
         {"ros_sensor_file", rosSensorFile},
         {"scene", scene},

@@ -59,7 +59,7 @@ bool registerMap(Bytes bytes);
 bool hidBraceletFile(Bytes bytes);
 bool soundBraceletFile(Bytes bytes);
 bool rosArmFile(Bytes bytes);
-bool rosSensorFile(Bytes bytes); ///< of a force sensor or an array
+bool rosSensorFile(Bytes bytes); ///< of a force sensor, an array or a camera
 bool taxelsFile(Bytes bytes);
 bool urdf(Bytes bytes);
 bool sitePermissions(Bytes bytes);
@@ -73,8 +73,9 @@ bool siteStreams(Bytes bytes);
 bool wtsFrames(Bytes bytes);
 bool taxelStream(Bytes bytes); ///< of described arrays
 bool hidReports(Bytes bytes);
-bool rosJointStates(Bytes bytes);   ///< messages in a form of the test, as the middleware hands them over
-bool rosArrayMessages(Bytes bytes); ///< the same of arrays
+bool rosJointStates(Bytes bytes);    ///< messages in a form of the test, as the middleware hands them over
+bool rosArrayMessages(Bytes bytes);  ///< the same of arrays
+bool rosCameraMessages(Bytes bytes); ///< the same of cameras
 
 [[nodiscard]] inline std::string textOf(Bytes bytes) {
     return {bytes.begin(), bytes.end()};

@@ -70,7 +70,7 @@ bool mcapMessage(Bytes bytes) {
         mcap::TopicRole::cameraPicture, mcap::TopicRole::tactileArray, mcap::TopicRole::multiArray,
         mcap::TopicRole::joints,        mcap::TopicRole::wrench,       mcap::TopicRole::features,
         mcap::TopicRole::touch,         mcap::TopicRole::contacts,     mcap::TopicRole::tactors,
-        mcap::TopicRole::event};
+        mcap::TopicRole::event,         mcap::TopicRole::colourPicture};
     if (bytes.size() < 2)
         return false;
     const mcap::TopicRole role = kRoles[bytes[0] % kRoles.size()];

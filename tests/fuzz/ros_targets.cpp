@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/ros/joint_state_joiner.h"
 #include "devices/ros/array/array_message.h"
+#include "devices/ros/camera/camera_message.h"
+#include "devices/ros/camera/ros_camera_file.h"
 #include "devices/ros/files/ros_wrench_file.h"
 #include "tests/fuzz/fuzz_check.h"
 #include "tests/fuzz/fuzz_targets.h"
@@ -102,7 +104,8 @@ bool rosSensorFile(Bytes bytes) {
     const std::string text = textOf(bytes);
     const auto wrench = ros_arm::parseRosWrench(text, kInput);
     const auto array = ros_array::parseRosArray(text, kInput);
-    require(!wrench || !array, "a file has one kind");
+    const auto camera = ros_camera::parseRosCamera(text, kInput);
+    require((wrench ? 1 : 0) + (array ? 1 : 0) + (camera ? 1 : 0) <= 1, "a file has one kind");
     if (wrench)
         require(!wrench->topic.empty() && std::abs(wrench->sign) == 1.0 && wrench->timeout_s > 0.0,
                 "a force sensor has a topic, a sign and a time");
@@ -114,7 +117,58 @@ bool rosSensorFile(Bytes bytes) {
                 "an array has taxels");
     else
         requireExplained(array.error());
-    return wrench || array;
+    if (camera)
+        require(!camera->topic.empty() && camera->rate_Hz >= 0.0, "a camera has a topic and a rate");
+    else
+        requireExplained(camera.error());
+    return wrench || array || camera;
+}
+
+bool rosCameraMessages(Bytes bytes) {
+    Source source(bytes);
+    bool any = false;
+    while (!source.atEnd()) {
+        core::Expected<core::ColourImage> picture = core::ColourImage();
+        const bool isCoded = source.next<std::uint8_t>() % 2U == 1;
+        std::string name(1, source.next<char>());
+        const std::uint32_t height = source.next<std::uint8_t>() % 5U;
+        const std::uint32_t width = source.next<std::uint8_t>() % 5U;
+        std::vector<std::uint8_t> data(source.next<std::uint8_t>());
+        if (isCoded) {
+            for (std::uint8_t& byte : data)
+                byte = source.next<std::uint8_t>();
+            ros::CompressedImage message{};
+            message.format = name.data();
+            ros::lend(message.data, std::span(data));
+            picture = ros_camera::pictureOf(message);
+        } else {
+            const std::array<std::string, 9> encodings{"rgb8", "bgr8",   "rgba8",  "bgra8",      "mono8",
+                                                       "8UC3", "mono16", "yuv422", "yuv422_yuy2"};
+            const std::size_t number = source.next<std::uint8_t>() % (encodings.size() + 1);
+            std::string encoding = number < encodings.size() ? encodings[number] : name;
+            for (std::uint8_t& byte : data)
+                byte = source.next<std::uint8_t>();
+            ros::Image message{};
+            message.encoding = encoding.data();
+            message.height = height;
+            message.width = source.next<std::uint8_t>() == 255 ? source.next<std::uint32_t>() : width;
+            message.step = source.next<std::uint8_t>() % 2U == 0 ? source.next<std::uint8_t>() % 32U
+                                                                 : source.next<std::uint32_t>();
+            message.is_bigendian = source.next<std::uint8_t>();
+            ros::lend(message.data, std::span(data));
+            picture = ros_camera::pictureOf(message);
+            if (picture)
+                require(std::uint32_t(picture->width_px) == message.width &&
+                            std::uint32_t(picture->height_px) == message.height,
+                        "a picture has the size of its message");
+        }
+        if (!picture)
+            require(!picture.error().message.empty(), "an error has a message");
+        else
+            require(!picture->isEmpty(), "a picture has pixels");
+        any = any || picture.has_value();
+    }
+    return any;
 }
 
 bool rosArrayMessages(Bytes bytes) {

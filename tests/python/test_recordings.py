@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import shutil
 import sqlite3
 import threading
 import warnings
+import zlib
 
 import numpy as np
 import pytest
@@ -86,6 +88,24 @@ def test_pictures_are_bytes(pictures):
         data = recording.read(name, step=5)
     assert data.values.dtype == np.uint8 and data.values.ndim == 3
     assert data.values[0].std() > 5.0
+
+
+def test_pictures_in_colour_have_three_values_a_pixel(pictures, tmp_path):
+    path = tmp_path / "colour.teleta"
+    shutil.copy(pictures, path)
+    pixels = np.arange(2 * 4 * 3, dtype=np.uint8).reshape(2, 4, 3)
+    with contextlib.closing(sqlite3.connect(path)) as database, database:
+        database.execute("UPDATE stream SET shape = '0x0x3' WHERE name = 'camera'")
+        database.execute(
+            "UPDATE block SET width = 12, height = 2, data = ?"
+            " WHERE stream = (SELECT key FROM stream WHERE name = 'camera')",
+            (zlib.compress(pixels.tobytes()),),
+        )
+    with teleta.open(path) as recording:
+        assert recording.streams["camera"].shape == (0, 0, 3)
+        values = recording.read("camera").values
+    assert len(values) > 10
+    np.testing.assert_array_equal(values[3], pixels)
 
 
 def test_wall_clock_times_follow_the_anchors(indenter):

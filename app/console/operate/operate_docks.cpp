@@ -15,7 +15,6 @@
 #include <QScopedValueRollback>
 #include <QScreen>
 #include <QScrollArea>
-#include <QSet>
 #include <QStyle>
 #include <QTabWidget>
 
@@ -32,7 +31,7 @@ constexpr qint32 kLayoutVersion = 7;
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
     "jog",     "feedback",       "contour", "servo",      "runs",      "objects",  "camera", "events",
-    "gel",     "gel-events",     "marks"};
+    "gel",     "gel-events",     "scene",   "marks"};
 
 /// As wide as what is in it, at least, and any height.
 class LowRoom : public QScrollArea {
@@ -166,14 +165,48 @@ bool OperateDocks::restore(const QByteArray& layout) {
         QMetaObject::invokeMethod(this, &OperateDocks::noteSizes, Qt::QueuedConnection);
     // What is not in a layout stays where it was.
     for (std::size_t i = 0; i < kDocks; ++i)
-        if (!belongs(m_kind, i))
+        if (!isUsed(i))
             m_docks[i]->hide();
+    showScene();
     return true;
 }
 
+bool OperateDocks::isUsed(std::size_t dock) const {
+    return belongs(m_kind, dock) && (dock != scene || m_hasScene);
+}
+
+void OperateDocks::setHasScene(bool has) {
+    if (has == std::exchange(m_hasScene, has))
+        return;
+    m_sceneClosed.fill(false);
+    enableActions();
+    // Into, or out of, the layout of all: the dock that is alone stays alone.
+    const QString alone = m_alone;
+    if (!alone.isEmpty())
+        setMaximised({});
+    const QScopedValueRollback building(m_building, true);
+    if (!has)
+        m_docks[scene]->hide();
+    showScene();
+    if (m_default[index()])
+        shareSpace();
+    if (has || alone != QLatin1String(kNames[scene]))
+        setMaximised(alone);
+}
+
+void OperateDocks::showScene() {
+    if (!m_hasScene || m_sceneClosed[index()] || !m_alone.isEmpty() || !m_docks[scene]->isHidden())
+        return;
+    m_docks[scene]->show();
+    if (m_kind == Kind::scene)
+        m_docks[scene]->raise();
+}
+
 bool OperateDocks::belongs(Kind kind, std::size_t dock) {
-    if (dock == marks)
+    if (dock == marks || dock == scene)
         return true;
+    if (kind == Kind::scene)
+        return false;
     if (kind == Kind::camera)
         return dock == reconstruction || dock == camera || dock == events;
     if (kind == Kind::gel)
@@ -197,7 +230,7 @@ QStringList OperateDocks::names() {
 void OperateDocks::bringForward(const QString& name) {
     m_forward = name;
     const auto index = static_cast<std::size_t>(names().indexOf(name));
-    if (index >= kDocks || !belongs(m_kind, index))
+    if (index >= kDocks || !isUsed(index))
         return;
     if (!m_alone.isEmpty() && name != m_alone)
         setMaximised({});
@@ -213,7 +246,7 @@ void OperateDocks::setMaximised(const QString& name) {
             resetLayout();
     }
     const auto index = static_cast<std::size_t>(names().indexOf(name));
-    if (index >= kDocks || !belongs(m_kind, index) || m_docks[index]->isFloating())
+    if (index >= kDocks || !isUsed(index) || m_docks[index]->isFloating())
         return;
     m_together = saveState(kLayoutVersion);
     m_alone = name;
@@ -235,6 +268,7 @@ void OperateDocks::toggleMaximised() {
                          : QLatin1String(kNames[m_kind == Kind::camera   ? camera
                                                 : m_kind == Kind::gel    ? gel
                                                 : m_kind == Kind::joints ? reconstruction
+                                                : m_kind == Kind::scene  ? scene
                                                                          : heatmap]));
 }
 
@@ -249,6 +283,11 @@ QByteArray OperateDocks::stateNow() const {
 }
 
 bool OperateDocks::eventFilter(QObject* watched, QEvent* event) {
+    // By its button or its action; what is hidden or restored here is not closed or opened by a person.
+    if (watched == m_docks[scene] && !m_building && event->type() == QEvent::Close)
+        m_sceneClosed[index()] = true;
+    else if (watched == m_docks[scene] && !m_building && event->type() == QEvent::Show)
+        m_sceneClosed[index()] = false;
     // Before the dock itself, which would float.
     if (event->type() == QEvent::MouseButtonDblClick) {
         const auto* dock = qobject_cast<QDockWidget*>(watched);
@@ -271,7 +310,7 @@ QList<QAction*> OperateDocks::actions() const {
 
 void OperateDocks::enableActions() {
     for (std::size_t i = 0; i < kDocks; ++i)
-        m_docks[i]->toggleViewAction()->setEnabled(belongs(m_kind, i));
+        m_docks[i]->toggleViewAction()->setEnabled(isUsed(i));
 }
 
 QByteArray OperateDocks::saveLayouts() const {
@@ -315,179 +354,6 @@ void OperateDocks::resetLayout() {
     arrange();
     m_default[index()] = true;
     shareSpace();
-}
-
-void OperateDocks::arrange() {
-    const QScopedValueRollback building(m_building, true);
-    for (QDockWidget* dock : m_docks) {
-        dock->setFloating(false);
-        removeDockWidget(dock); // hides it
-    }
-    const auto show = [this](std::initializer_list<Dock> docks) {
-        for (const Dock dock : docks)
-            m_docks[dock]->show();
-    };
-    // The others have a place too, but hidden: otherwise Qt would make room for them whenever it restores a
-    // layout.
-    for (std::size_t i = 0; i < kDocks; ++i) {
-        if (belongs(m_kind, i))
-            continue;
-        addDockWidget(Qt::BottomDockWidgetArea, m_docks[i]);
-        m_docks[i]->hide();
-    }
-    if (m_kind == Kind::camera) {
-        addDockWidget(Qt::LeftDockWidgetArea, m_docks[camera]);
-        splitDockWidget(m_docks[camera], m_docks[reconstruction], Qt::Horizontal);
-        splitDockWidget(m_docks[reconstruction], m_docks[events], Qt::Vertical);
-        tabifyDockWidget(m_docks[events], m_docks[marks]);
-        show({camera, reconstruction, events, marks});
-        m_docks[events]->raise();
-        return;
-    }
-    if (m_kind == Kind::gel) {
-        addDockWidget(Qt::LeftDockWidgetArea, m_docks[gel]);
-        splitDockWidget(m_docks[gel], m_docks[gelEvents], Qt::Horizontal);
-        tabifyDockWidget(m_docks[gelEvents], m_docks[marks]);
-        show({gel, gelEvents, marks});
-        m_docks[gelEvents]->raise();
-        return;
-    }
-    if (m_kind == Kind::joints) {
-        addDockWidget(Qt::LeftDockWidgetArea, m_docks[reconstruction]);
-        splitDockWidget(m_docks[reconstruction], m_docks[joints], Qt::Vertical);
-        tabifyDockWidget(m_docks[joints], m_docks[marks]);
-        addDockWidget(Qt::RightDockWidgetArea, m_docks[jog]);
-        show({reconstruction, joints, marks, jog});
-        m_docks[joints]->raise();
-        return;
-    }
-    addDockWidget(Qt::LeftDockWidgetArea, m_docks[heatmap]);
-    if (m_kind == Kind::array) {
-        splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
-        splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
-        addDockWidget(Qt::RightDockWidgetArea, m_docks[processing]);
-        tabifyDockWidget(m_docks[charts], m_docks[marks]);
-        show({heatmap, charts, reconstruction, processing, marks});
-        m_docks[charts]->raise();
-        return;
-    }
-    if (m_kind == Kind::servo) {
-        splitDockWidget(m_docks[heatmap], m_docks[charts], Qt::Vertical);
-        splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
-        tabifyDockWidget(m_docks[charts], m_docks[runs]);
-        tabifyDockWidget(m_docks[charts], m_docks[marks]);
-        addDockWidget(Qt::RightDockWidgetArea, m_docks[servo]);
-        tabifyDockWidget(m_docks[servo], m_docks[processing]);
-        show({heatmap, charts, runs, marks, reconstruction, servo, processing});
-        m_docks[charts]->raise();
-        m_docks[servo]->raise();
-        return;
-    }
-    splitDockWidget(m_docks[heatmap], m_docks[joints], Qt::Vertical);
-    splitDockWidget(m_docks[heatmap], m_docks[reconstruction], Qt::Horizontal);
-    tabifyDockWidget(m_docks[joints], m_docks[contour]);
-    tabifyDockWidget(m_docks[joints], m_docks[charts]);
-    tabifyDockWidget(m_docks[joints], m_docks[touches]);
-    tabifyDockWidget(m_docks[joints], m_docks[objects]);
-    tabifyDockWidget(m_docks[joints], m_docks[marks]);
-    addDockWidget(Qt::RightDockWidgetArea, m_docks[stiffness]);
-    splitDockWidget(m_docks[stiffness], m_docks[bracelet], Qt::Vertical);
-    splitDockWidget(m_docks[bracelet], m_docks[jog], Qt::Vertical);
-    tabifyDockWidget(m_docks[jog], m_docks[feedback]);
-    tabifyDockWidget(m_docks[jog], m_docks[processing]);
-    show({heatmap, reconstruction, joints, contour, charts, touches, objects, marks, stiffness, bracelet, jog,
-          feedback, processing});
-    m_docks[joints]->raise();
-    m_docks[jog]->raise();
-}
-
-void OperateDocks::shareSpace() {
-    if (m_kind == Kind::camera) {
-        resizeDocks({m_docks[camera], m_docks[reconstruction]}, {width() * 11 / 20, width() * 9 / 20},
-                    Qt::Horizontal);
-        resizeDocks({m_docks[reconstruction], m_docks[events]}, {height() * 13 / 20, height() * 7 / 20},
-                    Qt::Vertical);
-        return;
-    }
-    if (m_kind == Kind::gel) {
-        resizeDocks({m_docks[gel], m_docks[gelEvents]}, {width() * 12 / 20, width() * 8 / 20},
-                    Qt::Horizontal);
-        return;
-    }
-    if (m_kind == Kind::joints) {
-        const int side = base::em(this, 25);
-        resizeDocks({m_docks[reconstruction], m_docks[jog]}, {std::max(width() - side, side), side},
-                    Qt::Horizontal);
-        resizeDocks({m_docks[reconstruction], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20},
-                    Qt::Vertical);
-        return;
-    }
-    if (m_kind != Kind::arm) {
-        const bool servos = m_kind == Kind::servo;
-        const int settings = base::em(this, servos ? 25 : 18);
-        const int rest = std::max(width() - settings, settings);
-        resizeDocks({m_docks[heatmap], m_docks[charts]}, {height() * 11 / 20, height() * 9 / 20},
-                    Qt::Vertical);
-        resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[servos ? servo : processing]},
-                    {rest * 11 / 20, rest * 9 / 20, settings}, Qt::Horizontal);
-        return;
-    }
-    const int side = base::em(this, 25);
-    const int rest = std::max(width() - side, side);
-    resizeDocks({m_docks[heatmap], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20}, Qt::Vertical);
-    resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[stiffness]},
-                {rest * 9 / 20, rest * 11 / 20, side}, Qt::Horizontal);
-    // The hand controls are whole where there is room, and scroll before the pictures are cut.
-    const int hand = m_docks[jog]->sizeHint().height() + base::em(this, 2);
-    const int pictures = std::clamp(height() - hand, base::em(this, 23), base::em(this, 27));
-    resizeDocks({m_docks[stiffness], m_docks[bracelet], m_docks[jog]},
-                {pictures * 14 / 27, pictures * 13 / 27, std::max(height() - pictures, 1)}, Qt::Vertical);
-}
-
-void OperateDocks::noteSizes() {
-    m_sizesIn = size();
-    for (std::size_t i = 0; i < kDocks; ++i)
-        m_sizes[i] = m_docks[i]->isVisible() && !m_docks[i]->isFloating() ? m_docks[i]->size() : QSize();
-}
-
-void OperateDocks::keepSizes() {
-    if (m_sizesIn.isEmpty())
-        return;
-    const auto isForm = [](std::size_t dock) {
-        return dock == processing || dock == stiffness || dock == bracelet || dock == jog ||
-               dock == feedback || dock == servo;
-    };
-    int forms = 0;
-    for (std::size_t i = 0; i < kDocks; ++i)
-        if (isForm(i) && m_sizes[i].isValid())
-            forms = std::max(forms, m_sizes[i].width());
-    const double wider =
-        std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - static_cast<double>(forms));
-    const double higher = static_cast<double>(height()) / m_sizesIn.height();
-    const auto isSeen = [this](std::size_t dock) {
-        return m_sizes[dock].isValid() && m_docks[dock]->isVisible() && !m_docks[dock]->isFloating();
-    };
-    // What stands above or below a form is as wide as that.
-    QSet<int> columnsOfForms;
-    for (std::size_t i = 0; i < kDocks; ++i)
-        if (isForm(i) && isSeen(i))
-            columnsOfForms << m_docks[i]->x();
-    QList<QDockWidget*> inRows;
-    QList<QDockWidget*> inColumns;
-    QList<int> widths;
-    QList<int> heights;
-    for (std::size_t i = 0; i < kDocks; ++i) {
-        if (!isSeen(i))
-            continue;
-        inColumns << m_docks[i];
-        heights << std::max(1, qRound(higher * m_sizes[i].height()));
-        if (!isForm(i) && columnsOfForms.contains(m_docks[i]->x()))
-            continue;
-        inRows << m_docks[i];
-        widths << (isForm(i) ? m_sizes[i].width() : std::max(1, qRound(wider * m_sizes[i].width())));
-    }
-    resizeDocks(inRows, widths, Qt::Horizontal);
-    resizeDocks(inColumns, heights, Qt::Vertical);
 }
 
 bool OperateDocks::event(QEvent* event) {
@@ -536,6 +402,7 @@ void OperateDocks::retranslate() {
                                              tr("Events"),
                                              tr("Gel"),
                                              tr("Events"),
+                                             tr("Scene"),
                                              tr("Marks")};
     // Qt says what its buttons do once, in the language of that time.
     constexpr const char* kQt = "QDockWidget";

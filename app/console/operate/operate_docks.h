@@ -19,13 +19,15 @@ namespace teleta::console {
 
 /// The docks of the Operate page. An array on its own, an arm with or without a skin, a servo, a camera in a
 /// tube and a flat gel show different views, so each kind of source has a layout of its own, which is kept
-/// while another is shown. Thread: GUI.
+/// while another is shown. The scene has its place in all of them and is there while a camera looks at it.
+/// Thread: GUI.
 class OperateDocks : public QMainWindow {
     Q_OBJECT
 
 public:
-    enum class Kind { array, arm, servo, camera, joints, gel }; ///< joints: an arm without a tactile skin
-    static constexpr std::size_t kKinds = 6;
+    /// joints: an arm without a tactile skin; scene: a camera that is only looked at.
+    enum class Kind { array, arm, servo, camera, joints, gel, scene };
+    static constexpr std::size_t kKinds = 7;
 
     enum Dock {
         heatmap,
@@ -46,10 +48,11 @@ public:
         events,
         gel,
         gelEvents,
+        scene,
         marks
     };
-    static constexpr std::size_t kDocks = 19;
-    /// Whether a kind of source shows a dock.
+    static constexpr std::size_t kDocks = 20;
+    /// Whether a kind of source shows a dock; the scene is shown while there is one, see setHasScene().
     [[nodiscard]] static bool belongs(Kind kind, std::size_t dock);
 
     /// Where a floating window goes when a screen is gone: where it is as long as its title bar can be
@@ -69,6 +72,9 @@ public:
 
     void setKind(Kind kind);
     [[nodiscard]] Kind kind() const { return m_kind; }
+    /// Shows the scene as soon as there is one, and hides it when there is none. A person can close it
+    /// meanwhile.
+    void setHasScene(bool has);
     /// Names of the docks, for options and settings.
     [[nodiscard]] static QStringList names();
     /// Brings a dock to the front as soon as a source shows it; unknown names are ignored.
@@ -107,7 +113,13 @@ private:
     [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(m_kind); }
     [[nodiscard]] bool restore(const QByteArray& layout);
     void arrange();
+    /// Gives each dock of the kind its place and shows it, but for the scene.
+    void arrangeKind();
+    void showScene();
+    /// Of this kind of source, and not a scene that nothing looks at.
+    [[nodiscard]] bool isUsed(std::size_t dock) const;
     void shareSpace();
+    void shareAmongKind();
     /// Remembers the sizes of the docks that are seen.
     void noteSizes();
     /// Those that were noted, in a window of another size: forms keep their width, pictures grow and shrink.
@@ -125,11 +137,13 @@ private:
     QString m_lastUsed;    ///< name of the dock that had the focus last
     QString m_forward;     ///< name of the dock that comes to the front with the next layout
     std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
-    std::array<bool, kKinds> m_default{true, true, true, true,
-                                       true, true}; ///< shares its space anew when it is shown or resized
-    bool m_building = false;                        ///< a layout is built or restored
-    std::array<QSize, kDocks> m_sizes{}; ///< as they were chosen; of a dock that was not seen: invalid
-    QSize m_sizesIn;                     ///< of this widget then
+    std::array<bool, kKinds> m_default{
+        true, true, true, true, true, true, true}; ///< shares its space anew when it is shown or resized
+    bool m_hasScene = false;
+    std::array<bool, kKinds> m_sceneClosed{}; ///< by a person, in the layout of a kind
+    bool m_building = false;                  ///< a layout is built or restored
+    std::array<QSize, kDocks> m_sizes{};      ///< as they were chosen; of a dock that was not seen: invalid
+    QSize m_sizesIn;                          ///< of this widget then
 };
 
 } // namespace teleta::console

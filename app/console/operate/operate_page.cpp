@@ -68,6 +68,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_servo(new ServoViews(*m_scene, this))
     , m_camera(new CameraViews(*m_scene, this))
     , m_gel(new GelViews(this))
+    , m_looking(new SceneViews(this))
     , m_marks(new MarkViews(*m_charts, this))
     , m_site(new SiteViews(*m_messages, this)) {
     auto* top = new QHBoxLayout;
@@ -84,6 +85,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     m_servo->addTo(*m_docks);
     m_camera->addTo(*m_docks);
     m_gel->addTo(*m_docks);
+    m_looking->addTo(*m_docks);
     m_docks->add(OperateDocks::marks, &m_marks->list());
     m_docks->begin();
 
@@ -130,6 +132,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     connect(m_arm, &ArmViews::exportFailed, this, report);
     connect(m_camera, &CameraViews::exportFailed, this, report);
     connect(m_gel, &GelViews::exportFailed, this, report);
+    connect(m_looking, &SceneViews::exportFailed, this, report);
     connect(m_servo, &ServoViews::failed, this, report);
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
     connect(&m_bracelet, &BraceletService::failed, this, &OperatePage::onBraceletFailed);
@@ -146,6 +149,8 @@ void OperatePage::tick() {
             continue;
         watchFailures(item);
         watchDamage(item);
+        if (item.sceneCamera())
+            tickSceneCamera(item, now_ns);
         if (&item != m_sources.active())
             item.channel->drain();
         else if (const auto array = item.array())
@@ -177,6 +182,13 @@ void OperatePage::tick() {
     }
     if (core::PlaybackControl* control = playback())
         m_playback->setPosition(control->position());
+}
+
+void OperatePage::tickSceneCamera(SourceManager::Item& item, std::int64_t now_ns) {
+    const chrome::DeviceReading reading =
+        readingOf(item.channel->status(), item, item.channel->summary().nominalRate_Hz);
+    if (m_looking->tick(item, reading, now_ns) && &item == m_sources.active())
+        m_latency_s = m_looking->latency_s(item.key);
 }
 
 void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns) {
@@ -258,7 +270,9 @@ void OperatePage::onActiveChanged() {
         m_servo->setServo(servo, servo ? item->name : QString(), provenance);
     if (joints != m_arm->joints())
         m_arm->setArm(joints, provenance);
+    const bool looks = item != nullptr && item->sceneCamera() != nullptr;
     m_docks->setKind(camera         ? OperateDocks::Kind::camera
+                     : looks        ? OperateDocks::Kind::scene
                      : gel          ? OperateDocks::Kind::gel
                      : m_arm->arm() ? OperateDocks::Kind::arm
                      : joints       ? OperateDocks::Kind::joints
@@ -307,6 +321,7 @@ void OperatePage::onSourcesChanged() {
     core::PlaybackControl* control = playback();
     m_playback->setMarks(control != nullptr ? control->marks() : std::vector<core::PlaybackMark>());
     m_playback->setVisible(control != nullptr);
+    m_looking->setSources(m_sources.items());
     m_stack->setCurrentWidget(m_sources.items().empty() ? static_cast<QWidget*>(m_start) : m_docks);
 }
 

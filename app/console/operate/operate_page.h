@@ -7,6 +7,7 @@
 #include "app/console/operate/gel_views.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/recording/mark_views.h"
+#include "app/console/operate/scene_views.h"
 #include "app/console/operate/servo_views.h"
 #include "app/console/operate/site_views.h"
 #include "app/console/sources/source_manager.h"
@@ -72,6 +73,7 @@ public:
     [[nodiscard]] ArmViews& armViews() { return *m_arm; }
     [[nodiscard]] CameraViews& cameraViews() { return *m_camera; }
     [[nodiscard]] GelViews& gelViews() { return *m_gel; }
+    [[nodiscard]] SceneViews& sceneViews() { return *m_looking; }
     [[nodiscard]] MarkViews& marks() { return *m_marks; }
     [[nodiscard]] SiteViews& siteViews() { return *m_site; }
     /// The shown source runs a program that can be held and restarted: an arm's program or a
@@ -105,6 +107,7 @@ private:
     [[nodiscard]] std::shared_ptr<pipeline::TouchChannel> shownArray() const;
     void showArray(pipeline::TouchChannel* array, base::Provenance provenance);
     void tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns);
+    void tickSceneCamera(SourceManager::Item& item, std::int64_t now_ns);
     void watchFailures(const SourceManager::Item& item);
     /// Reports once what a recording contains that is not played.
     void watchDamage(const SourceManager::Item& item);
@@ -132,6 +135,7 @@ private:
     ServoViews* m_servo;
     CameraViews* m_camera;
     GelViews* m_gel;
+    SceneViews* m_looking;
     MarkViews* m_marks;
     SiteViews* m_site;
     std::uint64_t m_settingsRevision = 0;

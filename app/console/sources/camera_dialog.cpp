@@ -16,6 +16,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace teleta::console {
 
 CameraDialog::CameraDialog(const app::CameraRequest& last, QWidget* parent,
@@ -25,7 +27,9 @@ CameraDialog::CameraDialog(const app::CameraRequest& last, QWidget* parent,
     , m_model(base::named<QLineEdit>("cameraModel", QString::fromStdString(last.modelPath)))
     , m_loop(new QCheckBox(tr("Start &again at the end"))) {
     setWindowTitle(tr("Open camera"));
-    m_model->setToolTip(tr("The camera file that the page Calibrate or teleta calibrate has written"));
+    m_model->setToolTip(tr("The camera file that the page Calibrate or teleta calibrate has written; without "
+                           "one the camera is only looked at"));
+    m_model->setPlaceholderText(tr("none: only look"));
     m_loop->setChecked(last.loop);
     m_model->setMinimumWidth(base::em(this, 24));
 
@@ -61,9 +65,16 @@ app::CameraRequest CameraDialog::request() const {
             .loop = m_loop->isChecked()};
 }
 
+app::SourceRequest CameraDialog::sourceRequest() const {
+    app::CameraRequest asked = request();
+    if (!asked.modelPath.empty())
+        return asked;
+    return app::SceneCameraRequest{.source = std::move(asked.source), .loop = asked.loop};
+}
+
 void CameraDialog::check() {
     const app::CameraRequest asked = request();
-    m_accept->setEnabled(!asked.source.empty() && !asked.modelPath.empty());
+    m_accept->setEnabled(!asked.source.empty());
     m_loop->setEnabled(!camera::isCameraNumber(asked.source));
 }
 

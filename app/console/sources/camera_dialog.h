@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace teleta::console {
 
-/// Asks for a camera in the soft tube, or a video of one, and for its calibration. Window modal, opened by
-/// the user, never by a device. Thread: GUI.
+/// Asks for a camera in the soft tube, or a video of one, and for its calibration; without one the camera is
+/// only looked at. Window modal, opened by the user, never by a device. Thread: GUI.
 class CameraDialog : public QDialog {
     Q_OBJECT
 
@@ -23,6 +23,8 @@ public:
                           const CameraSourceField::Lister& cameras = camera::listCameras);
 
     [[nodiscard]] app::CameraRequest request() const;
+    /// What is to be opened: a scene camera where no calibration is named.
+    [[nodiscard]] app::SourceRequest sourceRequest() const;
 
 private:
     void check();

@@ -45,6 +45,10 @@ std::shared_ptr<pipeline::GelChannel> SourceManager::Item::gel() const {
     return std::dynamic_pointer_cast<pipeline::GelChannel>(channel);
 }
 
+std::shared_ptr<pipeline::SceneCameraChannel> SourceManager::Item::sceneCamera() const {
+    return std::dynamic_pointer_cast<pipeline::SceneCameraChannel>(channel);
+}
+
 std::shared_ptr<servo::ServoLink> SourceManager::Item::servo() const {
     const auto shown = array();
     return shown ? shown->servo() : nullptr;
@@ -105,7 +109,9 @@ void SourceManager::poll() {
             item->waits = std::holds_alternative<app::RecordingRequest>(item->request);
             emit opened(event.key);
             emit itemsChanged();
-            activate(event.key);
+            // A camera that looks at the scene is shown with whatever is there.
+            if (!item->sceneCamera() || active() == nullptr)
+                activate(event.key);
             break;
         case ChannelEvent::Kind::failed: {
             // Closed while it was being opened: nobody waits for it.

@@ -6,6 +6,7 @@
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/camera_channel.h"
 #include "backend/pipeline/gel_channel.h"
+#include "backend/pipeline/scene_camera_channel.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 
@@ -47,6 +48,7 @@ public:
         [[nodiscard]] std::shared_ptr<pipeline::JointChannel> joints() const;
         [[nodiscard]] std::shared_ptr<pipeline::CameraChannel> camera() const;
         [[nodiscard]] std::shared_ptr<pipeline::GelChannel> gel() const;
+        [[nodiscard]] std::shared_ptr<pipeline::SceneCameraChannel> sceneCamera() const;
         /// That moves the array.
         [[nodiscard]] std::shared_ptr<servo::ServoLink> servo() const;
     };
@@ -55,7 +57,8 @@ public:
     /// Does not wait for what is still being opened.
     ~SourceManager() override;
 
-    /// Opens a source beside those that are open and shows it once it is there.
+    /// Opens a source beside those that are open and shows it once it is there; one that only looks at the
+    /// scene does not take the place of another.
     pipeline::ChannelKey open(const app::SourceRequest& request);
     void close(pipeline::ChannelKey key);
     void closeAll();

@@ -7,6 +7,7 @@
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/recording/csv_export.h"
 #include "backend/recording/recording.h"
+#include "backend/recording/stream_columns.h"
 
 #include <QDateTime>
 
@@ -162,6 +163,10 @@ py::tuple toTuple(const Recording& recording, std::size_t index, CollectedFrames
     py::array values;
     if (stream.type == ValueType::grey8) {
         shape.insert(shape.end(), {frames.height_px, frames.width_px});
+        if (recording::isColour(stream) && frames.width_px % 3 == 0) {
+            shape.back() /= 3;
+            shape.push_back(3);
+        }
         values = arrayOf(std::move(frames.pixels), shape);
     } else {
         for (const std::size_t side : stream.shape)

@@ -30,7 +30,7 @@ class Stream:
     type : str
         'float32', 'float64' or 'grey8'.
     shape : tuple of int
-        Of one frame; of a picture (height, width), 0 where it varies.
+        Of one frame; of a picture (height, width), in colour (height, width, 3), 0 where it varies.
     unit : str
         Of all values; '' where the columns say it.
     columns : tuple of str

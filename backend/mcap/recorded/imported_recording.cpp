@@ -87,7 +87,7 @@ streamOf(const std::string& name, const std::string& text, const std::string& pa
     info.nominalRate_Hz = reader.number(root, "rate_hz", 0.0, 1e9, 0.0);
     noted.turnsY = reader.boolean(root, "turns_y", false);
     long long values = 1;
-    for (const ordered_json& side : reader.array(reader.member(root, "shape"), 1, 2)) {
+    for (const ordered_json& side : reader.array(reader.member(root, "shape"), 1, 3)) {
         const long long size = reader.integer(side, 0, kMostValues);
         values *= std::max(size, 1LL);
         info.shape.push_back(static_cast<std::size_t>(size));

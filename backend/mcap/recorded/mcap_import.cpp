@@ -85,6 +85,7 @@ StreamInfo infoOf(TopicRole role, const DecodedMessage& first,
     }
     case TopicRole::cameraImage:
     case TopicRole::cameraPicture:
+    case TopicRole::colourPicture:
         info.kind = StreamKind::camera;
         info.type = ValueType::grey8;
         info.shape = first.shape;
@@ -179,7 +180,8 @@ public:
                 McapImportText::tr("messages of ROS 2 in CDR"), {path});
         if (std::ranges::any_of(m_topics, [](const auto& topic) {
                 return topic.second.role == TopicRole::arrayPicture ||
-                       topic.second.role == TopicRole::cameraPicture;
+                       topic.second.role == TopicRole::cameraPicture ||
+                       topic.second.role == TopicRole::colourPicture;
             }))
             TELETA_CHECK(opencv::pictures());
         return {};
@@ -245,6 +247,8 @@ private:
                 if (isRepeat)
                     topic.role.reset();
                 topic.isImageOpen = false;
+                if (topic.role == TopicRole::cameraPicture && recording::isColour(noted.info))
+                    topic.role = TopicRole::colourPicture;
                 topic.noted = noted;
                 topic.stream = i;
                 topic.info = noted.info;

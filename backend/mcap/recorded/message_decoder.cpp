@@ -112,13 +112,14 @@ bool decodeCompressed(TopicRole role, CdrReader& cdr, DecodedMessage& decoded) {
     if (!readHeader(cdr, decoded))
         return false;
     (void)cdr.text(); // the bytes say better what they are
-    auto image = decodePicture(cdr.byteSequence());
+    const bool isColour = role == TopicRole::colourPicture;
+    auto image = decodePicture(cdr.byteSequence(), isColour ? PngPixel::colour : PngPixel::grey);
     if (cdr.failed() || !image)
         return false;
     const auto rows = static_cast<std::size_t>(image->height_px);
     const auto columns = static_cast<std::size_t>(image->width_px);
     decoded.shape = {rows, columns};
-    if (role == TopicRole::cameraPicture) {
+    if (isColour || role == TopicRole::cameraPicture) {
         decoded.image = std::move(*image);
         return true;
     }
@@ -306,6 +307,7 @@ bool decodeMessage(TopicRole role, std::string_view message, std::size_t columns
         return decodeImage(role, cdr, decoded);
     case TopicRole::arrayPicture:
     case TopicRole::cameraPicture:
+    case TopicRole::colourPicture:
         return decodeCompressed(role, cdr, decoded);
     case TopicRole::tactileArray:
         return decodeTactileArray(cdr, decoded);

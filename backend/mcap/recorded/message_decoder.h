@@ -20,6 +20,7 @@ enum class TopicRole {
     cameraImage,  ///< the same
     arrayPicture, ///< sensor_msgs/CompressedImage
     cameraPicture,
+    colourPicture, ///< the same, of a stream in colour
     tactileArray,
     multiArray, ///< std_msgs/Float32MultiArray of two dimensions
     joints,     ///< sensor_msgs/JointState

@@ -10,8 +10,9 @@ namespace teleta::mcap {
 namespace {
 
 constexpr std::string_view kSignature{"\x89PNG\r\n\x1a\n", 8};
-/// 8 bits, grey, the usual compression and filters, not interlaced.
+/// 8 bits, grey or red, green and blue, the usual compression and filters, not interlaced.
 constexpr std::string_view kGrey8{"\x08\0\0\0\0", 5};
+constexpr std::string_view kColour8{"\x08\2\0\0\0", 5};
 
 void appendBigEndian(std::string& bytes, std::uint32_t value) {
     for (const unsigned shift : {24U, 16U, 8U, 0U})
@@ -40,7 +41,7 @@ void appendPngChunk(std::string& bytes, std::string_view type, const Content& co
 
 } // namespace
 
-std::string encodePng(const core::GreyImage& image, int level) {
+std::string encodePng(const core::GreyImage& image, int level, PngPixel pixel) {
     const auto width = static_cast<std::size_t>(image.width_px);
     const auto height = static_cast<std::size_t>(image.height_px);
     std::string rows;
@@ -54,9 +55,9 @@ std::string encodePng(const core::GreyImage& image, int level) {
     png.reserve(size + 64);
     png.append(kSignature);
     appendPngChunk(png, "IHDR", [&] {
-        appendBigEndian(png, static_cast<std::uint32_t>(width));
+        appendBigEndian(png, static_cast<std::uint32_t>(pixel == PngPixel::colour ? width / 3 : width));
         appendBigEndian(png, static_cast<std::uint32_t>(height));
-        png.append(kGrey8);
+        png.append(pixel == PngPixel::colour ? kColour8 : kGrey8);
     });
     appendPngChunk(png, "IDAT", [&] {
         const std::size_t start = png.size();

@@ -72,9 +72,9 @@ void writeJoints(CdrWriter& cdr, const std::vector<std::string>& names, std::spa
     cdr.sequence(effort);
 }
 
-void writePicture(CdrWriter& cdr, const core::GreyImage& image, int level) {
+void writePicture(CdrWriter& cdr, const core::GreyImage& image, int level, PngPixel pixel) {
     cdr.text("png");
-    cdr.byteSequence(encodePng(image, level));
+    cdr.byteSequence(encodePng(image, level, pixel));
 }
 
 std::string columnFields(std::span<const Column> columns) {
@@ -266,7 +266,8 @@ void StreamEncoder::encode(std::size_t topic, const TappedFrames& block, std::si
         break;
     }
     case Message::picture:
-        writePicture(cdr, block.image, m_pictureLevel);
+        writePicture(cdr, block.image, m_pictureLevel,
+                     recording::isColour(m_stream) ? PngPixel::colour : PngPixel::grey);
         break;
     case Message::tactors:
         cdr.array(recording::valuesOf<float>(block, frame, channels));

@@ -27,7 +27,7 @@ struct TopicType {
 ///   contacts       /NAME/contacts     teleta_msgs/msg/Contacts, all of one time
 ///   touches        /NAME/touches      teleta_msgs/msg/Touch
 ///   joints         /NAME/joint_states, /NAME/joint_references    sensor_msgs/msg/JointState
-///   camera         /NAME/image/compressed    sensor_msgs/msg/CompressedImage, png, 8-bit grey
+///   camera         /NAME/image/compressed    sensor_msgs/msg/CompressedImage, png, 8 bits, grey or colour
 ///   tactors        /NAME/tactors      teleta_msgs/msg/Tactors
 ///   wrench         /NAME/wrench       geometry_msgs/msg/WrenchStamped
 /// Thread: one.

@@ -16,10 +16,12 @@ namespace {
 
 constexpr double kLargest = 1e12;
 
-/// Empty: the stream is one of references, or of a flat gel.
+/// Empty: the stream is one of references, of a flat gel, or of a scene camera.
 core::Expected<std::optional<RecordedCamera>> recordedCamera(const recording::Recording& recording,
                                                              std::size_t number) {
     const recording::StreamInfo& stream = recording.streams()[number];
+    if (recording::isColour(stream))
+        return std::optional<RecordedCamera>();
     const auto document = core::JsonDocument::parse(stream.details, recording.path());
     if (!document)
         return notDescribed(stream, recording.path(), document.error());

@@ -79,14 +79,16 @@ core::Expected<RecordedSources> recordedSources(const Recording& recording) {
                             .arms = {},
                             .cameras = {},
                             .gels = {},
+                            .sceneCameras = {},
                             .first_ns = std::numeric_limits<std::int64_t>::max(),
                             .last_ns = std::numeric_limits<std::int64_t>::min()};
     TELETA_TRY(sources.arrays, recordedArrays(recording, why));
     TELETA_CHECK(addArms(recording, sources, why));
     TELETA_TRY(sources.cameras, recordedCameras(recording, why));
     TELETA_TRY(sources.gels, recordedGels(recording, why));
-    const bool isEmpty =
-        sources.arrays.empty() && sources.arms.empty() && sources.cameras.empty() && sources.gels.empty();
+    TELETA_TRY(sources.sceneCameras, recordedSceneCameras(recording, why));
+    const bool isEmpty = sources.arrays.empty() && sources.arms.empty() && sources.cameras.empty() &&
+                         sources.gels.empty() && sources.sceneCameras.empty();
     if (isEmpty && why)
         return core::Unexpected(*why);
     if (isEmpty)
@@ -108,6 +110,8 @@ core::Expected<RecordedSources> recordedSources(const Recording& recording) {
         include(camera.stream);
     for (const RecordedGel& gel : sources.gels)
         include(gel.stream);
+    for (const RecordedSceneCamera& camera : sources.sceneCameras)
+        include(camera.stream);
     return sources;
 }
 

@@ -4,6 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
 #include "backend/pipeline/recorded/recorded_gel.h"
+#include "backend/pipeline/recorded/recorded_scene_camera.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recording.h"
 
@@ -36,11 +37,12 @@ struct RecordedSources {
     std::vector<RecordedJoints> arms;
     std::vector<RecordedCamera> cameras;
     std::vector<RecordedGel> gels;
+    std::vector<RecordedSceneCamera> sceneCameras;
     std::int64_t first_ns = 0; ///< of the first frame of all of them
     std::int64_t last_ns = 0;  ///< of the last one
 };
 
-/// The arrays, arms, cameras and gels of a recording that have frames, in its order; what is not described is
+/// The arrays, arms, cameras of all kinds and gels of a recording that have frames, in its order; what is not described is
 /// left out. Error: badInput, nothing is left and a stream's details do not say what it is; refused: there is
 /// none.
 [[nodiscard]] core::Expected<RecordedSources> recordedSources(const recording::Recording& recording);

@@ -81,9 +81,11 @@ TEST(SiteFile, devicesHaveNamesOfTheirOwn) {
               std::string::npos);
     EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nfile = \"Left Arm.toml\"\n").find("needs an id"),
               std::string::npos);
-    EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\ncamera = \"0\"\n")
-                  .find("does not send this kind"),
-              std::string::npos);
+    for (const char* kind : {"camera", "scene_camera"})
+        EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\n" + kind + " = \"0\"\n")
+                      .find("does not send this kind"),
+                  std::string::npos)
+            << kind;
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "backend/mcap/mcap_writer.h"
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/mcap/recorded/mcap_import.h"
+#include "backend/mcap/recorded/picture_decoder.h"
+#include "backend/mcap/recorded/png_encoder.h"
 #include "backend/mcap/ros_schemas.h"
 #include "backend/recording/recording_writer.h"
 #include "backend/recording/stream_columns.h"
@@ -43,14 +45,13 @@ TappedFrames framesOf(const std::vector<std::int64_t>& time_ns, const std::vecto
     return frames;
 }
 
-TappedFrames pictureAt(std::int64_t time_ns, std::uint8_t first) {
-    constexpr int kWidth = 5;
+TappedFrames pictureAt(std::int64_t time_ns, std::uint8_t first, int width = 5) {
     constexpr int kHeight = 3;
-    std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[kWidth * kHeight]);
-    for (int i = 0; i < kWidth * kHeight; ++i)
+    std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[static_cast<std::size_t>(width * kHeight)]);
+    for (int i = 0; i < width * kHeight; ++i)
         pixels[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(first + i * 7);
     TappedFrames frames = framesOf<float>({time_ns}, {});
-    frames.image = {std::shared_ptr<const std::uint8_t>(pixels, pixels.get()), kWidth, kHeight};
+    frames.image = {std::shared_ptr<const std::uint8_t>(pixels, pixels.get()), width, kHeight};
     return frames;
 }
 
@@ -306,6 +307,37 @@ TEST_F(McapRecording, anExportCarriesTareGainsCameraAndScene) {
     // 77 ns before the anchor at 11:05:35.123.
     EXPECT_EQ(note.values.at("start_utc"), "2026-11-26T11:05:35.122999923Z");
     EXPECT_EQ(note.values.at("app_version"), "1.2.3");
+}
+
+TEST_F(McapRecording, picturesInColourComeBackInColour) {
+    const std::string path = m_folder.path("looking.teleta");
+    {
+        recording::RecordingWriter writer(
+            path, {{kStart_ns, QDateTime::fromString("2026-11-26T11:05:35.123Z", Qt::ISODateWithMs)}});
+        ASSERT_TRUE(writer.begin(test::headAt(kStart_ns)));
+        ASSERT_TRUE(writer.addStream({.name = "front-scene",
+                                      .kind = StreamKind::camera,
+                                      .type = ValueType::grey8,
+                                      .source = "front",
+                                      .shape = {0, 0, 3},
+                                      .nominalRate_Hz = 30.0,
+                                      .details = R"({"simulated":false})"}));
+        for (int i = 0; i < 40; ++i)
+            writer.take(0, pictureAt(kStart_ns + i * 1'000'003LL, static_cast<std::uint8_t>(i), 12));
+        ASSERT_TRUE(writer.commit());
+        ASSERT_TRUE(writer.finish());
+    }
+    const auto recording = recording::Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    const std::string file = m_folder.path("looking.mcap");
+    ASSERT_TRUE(mcap::exportMcap(*recording, file, {}));
+    const auto imported = mcap::importMcap(file, file + ".teleta");
+    ASSERT_TRUE(imported) << core::describe(imported.error());
+    expectSame(path, file + ".teleta");
+    // Other programs see four pixels a row with 8 bits of each colour: type 2 of the PNG specification.
+    const std::string png = mcap::encodePng(pictureAt(0, 1, 12).image, 6, mcap::PngPixel::colour);
+    EXPECT_EQ(png.substr(12, 14), std::string("IHDR\0\0\0\4\0\0\0\3\x08\x02", 14));
+    EXPECT_TRUE(mcap::decodePicture(png, mcap::PngPixel::colour));
 }
 
 TEST_F(McapRecording, onlyTheChosenStreamsAreWritten) {

@@ -50,6 +50,30 @@ TEST_F(VideoStreamTest, readsAllFramesOfAFileInGreyWithTheirTimes) {
     EXPECT_EQ(stream->framesSkipped(), 0U);
 }
 
+TEST_F(VideoStreamTest, readsColoursInTheOrderRedGreenBlue) {
+    // Compressed, so that the colours are near those that were written.
+    const cv::Scalar written(40, 90, 200); // blue, green, red
+    cv::VideoWriter writer(m_path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_Hz, {64, 48});
+    ASSERT_TRUE(writer.isOpened());
+    writer.write(cv::Mat(48, 64, CV_8UC3, written));
+    writer.release();
+    VideoStream::Options options;
+    options.channel = VideoChannel::colour;
+    auto stream = VideoStream::open(m_path, options);
+    ASSERT_TRUE(stream) << describe(stream.error());
+    cv::Mat1b frame;
+    double time_s = 0.0;
+    ASSERT_EQ(stream->next(frame, time_s), Outcome::frame);
+    ASSERT_EQ(frame.cols, 3 * 64);
+    ASSERT_EQ(frame.rows, 48);
+    EXPECT_NEAR(frame(20, 3 * 30), 200, 8);
+    EXPECT_NEAR(frame(20, 3 * 30 + 1), 90, 8);
+    EXPECT_NEAR(frame(20, 3 * 30 + 2), 40, 8);
+    const cv::Mat1b first = frame;
+    EXPECT_EQ(stream->next(frame, time_s), Outcome::ended);
+    EXPECT_NEAR(first(47, 3 * 63), 200, 8) << "the pixels stay with whoever has them";
+}
+
 TEST_F(VideoStreamTest, aCameraThatHangsIsWaitedForNoLongerThanItSays) {
     const char* const wait_s = std::getenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT");
     ASSERT_NE(wait_s, nullptr);

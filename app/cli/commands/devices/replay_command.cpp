@@ -108,10 +108,11 @@ private:
     [[nodiscard]] core::Expected<Source> chooseSource(const recording::Recording& recording) const {
         TELETA_TRY(auto sources, pipeline::recordedSources(recording));
         if (sources.arrays.empty() && sources.cameras.empty() && sources.gels.empty())
-            return core::failed(core::ErrorKind::refused,
-                                ReplayText::tr("the recording has the joints of an arm, and nothing that is "
-                                               "computed from them"),
-                                ReplayText::tr("frames of an array or a camera"), {m_path});
+            return core::failed(
+                core::ErrorKind::refused,
+                ReplayText::tr("the recording has joints of an arm or pictures to look at, and "
+                               "nothing that is computed from them"),
+                ReplayText::tr("frames of an array or a camera"), {m_path});
         QStringList names;
         const auto isChosen = [&](std::size_t stream) {
             const std::string& name = recording.streams()[stream].name;

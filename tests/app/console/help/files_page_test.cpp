@@ -61,6 +61,7 @@ enum Section {
     armSource,
     taxelsSource,
     gelSource,
+    sceneCameraSource,
     sections
 };
 
@@ -116,7 +117,8 @@ const std::vector<PageWords>& pages() {
           "Camera",
           "Arm over ROS 2",
           "Array of any make",
-          "Flat gel with markers"}},
+          "Flat gel with markers",
+          "Camera that only looks"}},
         {"fr",
          "Fichiers",
          "Les scènes, les protocoles d'étude, les appareils et les listes de sources sont des fichiers TOML. "
@@ -170,7 +172,8 @@ const std::vector<PageWords>& pages() {
           "Caméra",
           "Bras sur ROS 2",
           "Matrice quelconque",
-          "Gel plat à marqueurs"}},
+          "Gel plat à marqueurs",
+          "Caméra qui ne fait que regarder"}},
         {"ja",
          "ファイル",
          "シーン、実験計画、機器、ソースの一覧は TOML "
@@ -222,7 +225,8 @@ const std::vector<PageWords>& pages() {
           "カメラ",
           "ROS 2のアーム",
           "任意のアレイ",
-          "マーカー付きの平らなゲル"}},
+          "マーカー付きの平らなゲル",
+          "見るだけのカメラ"}},
         {"zh_CN",
          "文件",
          "场景、实验方案、设备和信号源列表都是 TOML 文件。本页列出程序从中读取的所有键。键名以单位结尾。"
@@ -272,7 +276,8 @@ const std::vector<PageWords>& pages() {
           "摄像头",
           "通过 ROS 2 的机械臂",
           "任意阵列",
-          "带标记的平面凝胶"}},
+          "带标记的平面凝胶",
+          "仅用于观看的摄像头"}},
     };
     return kPages;
 }
@@ -362,6 +367,7 @@ QByteArray pageOf(const PageWords& words) {
     page.part(3, armSource, sourceOf(app::SourceKind::arm));
     page.part(3, taxelsSource, sourceOf(app::SourceKind::taxels));
     page.part(3, gelSource, sourceOf(app::SourceKind::gel));
+    page.part(3, sceneCameraSource, sourceOf(app::SourceKind::sceneCamera));
     return page.text();
 }
 

@@ -231,6 +231,11 @@ private slots:
         QTRY_COMPARE(dialog.request().source, std::string("0")); // once the drivers have answered
         dialog.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        // Without a calibration it is only looked at.
+        QVERIFY(open->isEnabled());
+        const app::SourceRequest looking = dialog.sourceRequest();
+        QVERIFY(std::holds_alternative<app::SceneCameraRequest>(looking));
+        QCOMPARE(std::get<app::SceneCameraRequest>(looking).source, std::string("0"));
         auto* model = dialog.findChild<QLineEdit*>("cameraModel");
         model->setFocus();
         QTest::keyClicks(model, "camera.json");
@@ -240,6 +245,7 @@ private slots:
         QVERIFY(dialog.findChild<QCheckBox*>()->isEnabled());
         QCOMPARE(dialog.request().source, std::string("run.avi"));
         QCOMPARE(dialog.request().modelPath, std::string("camera.json"));
+        QVERIFY(std::holds_alternative<app::CameraRequest>(dialog.sourceRequest()));
     }
 
     void aSourceThatWasTypedInStaysWhenTheCamerasAreThere() {
