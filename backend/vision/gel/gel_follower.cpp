@@ -113,7 +113,7 @@ void GelFollower::forget() {
         m_gel->forget();
     m_finder.forget();
     m_contacts.clear();
-    m_jumped_s = std::numeric_limits<double>::quiet_NaN();
+    m_jumped_s = -std::numeric_limits<double>::infinity();
     m_collected.clear();
 }
 

@@ -80,7 +80,7 @@ private:
     bool m_usable = false;
     std::string m_whyNoReference; ///< of the last attempt
     std::string m_problem;
-    double m_jumped_s = std::numeric_limits<double>::quiet_NaN();
+    double m_jumped_s = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace teleta::vision

@@ -312,7 +312,7 @@ void MarkerGel::judge(const cv::Mat1b& picture, double time_s) {
         m_lostSince_s = std::numeric_limits<double>::quiet_NaN();
     else if (std::isnan(m_lostSince_s))
         m_lostSince_s = time_s;
-    m_faults.torn = time_s - m_lostSince_s >= kTornFor_s;
+    m_faults.torn = !std::isnan(m_lostSince_s) && time_s - m_lostSince_s >= kTornFor_s;
 }
 
 void MarkerGel::forget() {

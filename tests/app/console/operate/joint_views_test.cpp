@@ -65,7 +65,7 @@ struct Desk {
         for (const OperateDocks::Dock dock :
              {OperateDocks::heatmap, OperateDocks::charts, OperateDocks::processing, OperateDocks::servo,
               OperateDocks::runs, OperateDocks::camera, OperateDocks::events, OperateDocks::gel,
-              OperateDocks::gelEvents, OperateDocks::marks})
+              OperateDocks::gelEvents, OperateDocks::scene, OperateDocks::marks})
             docks.add(dock, new QWidget);
         docks.begin();
         docks.setKind(OperateDocks::Kind::joints);
@@ -112,7 +112,8 @@ private slots:
         QCOMPARE(desk.views.joints(), desk.channel);
         for (std::size_t dock = 0; dock < OperateDocks::kDocks; ++dock) {
             const bool expected = dock == OperateDocks::reconstruction || dock == OperateDocks::joints ||
-                                  dock == OperateDocks::jog || dock == OperateDocks::marks;
+                                  dock == OperateDocks::jog || dock == OperateDocks::scene ||
+                                  dock == OperateDocks::marks;
             QCOMPARE(OperateDocks::belongs(OperateDocks::Kind::joints, dock), expected);
         }
         QVERIFY(desk.jog->isVisible());
