@@ -15,9 +15,9 @@ namespace teleta::camera {
 /// What becomes the grey level of a pixel. colour: nothing, frames have the bytes of core::ColourImage.
 enum class VideoChannel { grey, red, green, blue, colour };
 
-/// Frames, grey or in colour, of a camera (V4L2) or of a file that OpenCV reads, with their capture times: the driver's
-/// or the file's, or where those do not rise, the number of the frame over the rate.
-/// Thread: one.
+/// Frames, grey or in colour, of a camera (V4L2) or of a file that OpenCV reads, with their capture times:
+/// the driver's or the file's, or where those do not rise, the number of the frame over the rate. Thread:
+/// one.
 class VideoStream {
 public:
     struct Options {

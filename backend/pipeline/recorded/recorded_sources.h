@@ -42,9 +42,9 @@ struct RecordedSources {
     std::int64_t last_ns = 0;  ///< of the last one
 };
 
-/// The arrays, arms, cameras of all kinds and gels of a recording that have frames, in its order; what is not described is
-/// left out. Error: badInput, nothing is left and a stream's details do not say what it is; refused: there is
-/// none.
+/// The arrays, arms, cameras of all kinds and gels of a recording that have frames, in its order; what is not
+/// described is left out. Error: badInput, nothing is left and a stream's details do not say what it is;
+/// refused: there is none.
 [[nodiscard]] core::Expected<RecordedSources> recordedSources(const recording::Recording& recording);
 
 } // namespace teleta::pipeline
