@@ -6,15 +6,12 @@
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
 #include "backend/core/threads/latest_copy.h"
-#include "backend/ros/stamps.h"
-#include "devices/dds/endpoint.h"
-#include "devices/dds/participant.h"
-#include "devices/dds/wait_set.h"
+#include "backend/ros/source_clock.h"
 #include "devices/ros/array/ros_array_file.h"
+#include "devices/ros/topic/topic_feed.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -38,7 +35,7 @@ struct RosArrayCounters {
 /// Thread: as core::TactileSource; counters() from any.
 class RosArray : public core::TactileSource {
 public:
-    /// Joins the domain. Error: as dds::Participant::open() and dds::AnyReader::open().
+    /// Joins the domain. Error: as ros_topic::TopicFeed::open().
     [[nodiscard]] static core::Expected<std::unique_ptr<RosArray>> open(RosArrayFile file);
 
     [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
@@ -51,23 +48,20 @@ public:
 
 private:
     friend core::DeviceThread<RosArray>;
-    RosArray(RosArrayFile file, std::shared_ptr<const dds::Participant> participant, dds::AnyReader reader);
+    RosArray(RosArrayFile file, std::unique_ptr<ros_topic::TopicFeed> feed);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
-    void wake() { m_waitSet.wake(); }
+    void wake() { m_feed->wake(); }
     template <typename Message>
     void take(const Message& message);
     void takeAll();
     void deliver(const ros::Time* stamp, std::int64_t read_ns);
-    [[nodiscard]] double sourceTime_s(const ros::Time* stamp, std::int64_t read_ns);
     [[nodiscard]] std::string silence() const;
 
     RosArrayFile m_file;
     core::SourceDescription m_description;
-    std::shared_ptr<const dds::Participant> m_participant;
-    dds::AnyReader m_reader;
-    dds::WaitSet m_waitSet;
+    std::unique_ptr<ros_topic::TopicFeed> m_feed;
     core::SourceOutlet m_outlet;
     core::LatestCopy<RosArrayCounters> m_published;
 
@@ -76,10 +70,7 @@ private:
     std::vector<float> m_loads;
     core::SampleBlock m_block; ///< what one look at the topic brings
     std::string m_misfit;      ///< why the newest message is no frame; empty: it is one
-    ros::StampCheck m_stamps;
-    std::optional<double> m_lastStamp_s;
-    std::int64_t m_last_ns = 0; ///< of the read of the last frame, or of the start
-    double m_time_s = 0.0;
+    ros::SourceClock m_clock;  ///< of the frames
     bool m_discontinuity = false;
 
     core::DeviceThread<RosArray> m_thread{*this};

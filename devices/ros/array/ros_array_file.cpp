@@ -19,9 +19,8 @@ struct ArrayFileText {
 constexpr const char* kKind = "ros_tactile";
 constexpr double kLargestPitch_mm = 1000.0;
 
-core::Expected<RosArrayFile> read(const core::TomlDocument& document) {
+RosArrayFile read(core::TomlTable& root) {
     RosArrayFile file;
-    TomlTable root = document.root();
     (void)root.choice("kind", {kKind});
     file.name = root.text("name");
     file.topic = ros_arm::readTopic(root, "topic");
@@ -47,14 +46,7 @@ core::Expected<RosArrayFile> read(const core::TomlDocument& document) {
             ArrayFileText::tr("threshold = a number in the unit of the values").toStdString());
     file.threshold = root.number("threshold", NumberRange::positive(), file.threshold);
     file.rate_Hz = root.number("rate_Hz", NumberRange::between(0.0, 1e5), file.rate_Hz);
-    if (root.has("ros")) {
-        TomlTable table = root.table("ros");
-        file.domain = ros_arm::readDomain(table);
-        table.finish();
-    }
-    root.finish();
-    if (document.firstError())
-        return core::Unexpected(*document.firstError());
+    file.domain = ros_arm::readRos(root).value_or(dds::DomainConfig());
     return file;
 }
 
@@ -65,13 +57,11 @@ bool isRosArrayKind(std::string_view kind) {
 }
 
 core::Expected<RosArrayFile> readRosArray(const std::string& path) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::open(path));
-    return read(document);
+    return ros_arm::readDocument(core::TomlDocument::open(path), read);
 }
 
 core::Expected<RosArrayFile> parseRosArray(std::string_view text, const std::string& file) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
-    return read(document);
+    return ros_arm::readDocument(core::TomlDocument::parse(text, file), read);
 }
 
 } // namespace teleta::ros_array

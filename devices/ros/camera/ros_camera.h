@@ -6,15 +6,12 @@
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
 #include "backend/core/threads/latest_copy.h"
-#include "backend/ros/stamps.h"
-#include "devices/dds/endpoint.h"
-#include "devices/dds/participant.h"
-#include "devices/dds/wait_set.h"
+#include "backend/ros/source_clock.h"
 #include "devices/ros/camera/ros_camera_file.h"
+#include "devices/ros/topic/topic_feed.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -38,7 +35,7 @@ struct RosCameraCounters {
 /// Thread: as core::CameraSource; counters() from any.
 class RosCamera : public core::CameraSource {
 public:
-    /// Joins the domain. Error: as dds::Participant::open() and dds::AnyReader::open().
+    /// Joins the domain. Error: as ros_topic::TopicFeed::open().
     [[nodiscard]] static core::Expected<std::unique_ptr<RosCamera>> open(RosCameraFile file);
 
     [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
@@ -51,32 +48,25 @@ public:
 
 private:
     friend core::DeviceThread<RosCamera>;
-    RosCamera(RosCameraFile file, std::shared_ptr<const dds::Participant> participant, dds::AnyReader reader);
+    RosCamera(RosCameraFile file, std::unique_ptr<ros_topic::TopicFeed> feed);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
-    void wake() { m_waitSet.wake(); }
+    void wake() { m_feed->wake(); }
     void takeAll();
     template <typename Message>
     void take(const Message& message);
-    [[nodiscard]] double captureTime_s(const ros::Time& stamp, std::int64_t read_ns);
-    [[nodiscard]] std::string silence() const;
 
     RosCameraFile m_file;
     core::CameraDescription m_description;
-    std::shared_ptr<const dds::Participant> m_participant;
-    dds::AnyReader m_reader;
-    dds::WaitSet m_waitSet;
+    std::unique_ptr<ros_topic::TopicFeed> m_feed;
     core::CameraOutlet m_outlet;
     core::LatestCopy<RosCameraCounters> m_published;
 
     // The worker's own.
     RosCameraCounters m_counters;
-    std::string m_misfit; ///< why the newest message is no picture; empty: it is one
-    ros::StampCheck m_stamps;
-    std::optional<double> m_lastStamp_s;
-    std::int64_t m_last_ns = 0; ///< of the read of the last picture, or of the start
-    double m_time_s = 0.0;
+    std::string m_misfit;     ///< why the newest message is no picture; empty: it is one
+    ros::SourceClock m_clock; ///< of the pictures
     bool m_discontinuity = false;
 
     core::DeviceThread<RosCamera> m_thread{*this};

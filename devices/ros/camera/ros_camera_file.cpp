@@ -14,9 +14,8 @@ constexpr const char* kKind = "ros_camera";
 constexpr std::string_view kCompressed = "/compressed";
 constexpr double kHighestRate_Hz = 1000.0;
 
-core::Expected<RosCameraFile> read(const core::TomlDocument& document) {
+RosCameraFile read(core::TomlTable& root) {
     RosCameraFile file;
-    TomlTable root = document.root();
     (void)root.choice("kind", {kKind});
     file.name = root.text("name");
     file.topic = ros_arm::readTopic(root, "topic");
@@ -25,14 +24,7 @@ core::Expected<RosCameraFile> read(const core::TomlDocument& document) {
     else if (file.topic.ends_with(kCompressed))
         file.format = PictureFormat::compressedImage;
     file.rate_Hz = root.number("rate_Hz", NumberRange::between(0.0, kHighestRate_Hz), file.rate_Hz);
-    if (root.has("ros")) {
-        TomlTable table = root.table("ros");
-        file.domain = ros_arm::readDomain(table);
-        table.finish();
-    }
-    root.finish();
-    if (document.firstError())
-        return core::Unexpected(*document.firstError());
+    file.domain = ros_arm::readRos(root).value_or(dds::DomainConfig());
     return file;
 }
 
@@ -43,13 +35,11 @@ bool isRosCameraKind(std::string_view kind) {
 }
 
 core::Expected<RosCameraFile> readRosCamera(const std::string& path) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::open(path));
-    return read(document);
+    return ros_arm::readDocument(core::TomlDocument::open(path), read);
 }
 
 core::Expected<RosCameraFile> parseRosCamera(std::string_view text, const std::string& file) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
-    return read(document);
+    return ros_arm::readDocument(core::TomlDocument::parse(text, file), read);
 }
 
 } // namespace teleta::ros_camera

@@ -44,7 +44,7 @@ void readAdapter(TomlTable& root, RosArmFile& file) {
                   "false");
 }
 
-void readRos(TomlTable& root, RosArmFile& file) {
+void readNode(TomlTable& root, RosArmFile& file) {
     if (!root.has("ros"))
         return;
     TomlTable table = root.table("ros");
@@ -164,7 +164,7 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
     file.required = root.textList("required");
     if (root.has("mesh_path"))
         file.meshPath = core::besideFile(path, root.text("mesh_path"));
-    readRos(root, file);
+    readNode(root, file);
     readJointNames(root, file);
     readLimits(root, file);
     readWrench(root, path, file);

@@ -30,6 +30,15 @@ std::string readTopic(core::TomlTable& table, std::string_view key,
     return name;
 }
 
+std::optional<dds::DomainConfig> readRos(core::TomlTable& root) {
+    if (!root.has("ros"))
+        return std::nullopt;
+    core::TomlTable table = root.table("ros");
+    dds::DomainConfig config = readDomain(table);
+    table.finish();
+    return config;
+}
+
 dds::DomainConfig readDomain(core::TomlTable& ros) {
     dds::DomainConfig config;
     config.domain = static_cast<int>(ros.integer("domain", 0, dds::kHighestDomain, 0));

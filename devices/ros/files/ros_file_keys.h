@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/error.h"
 #include "backend/core/keys/toml_table.h"
 #include "devices/dds/domain_config.h"
 
@@ -16,7 +17,25 @@ namespace teleta::ros_arm {
 [[nodiscard]] std::string readTopic(core::TomlTable& table, std::string_view key,
                                     const std::optional<std::string>& fallback = {});
 
-/// Of the table [ros], where the other programs are: `domain`, `interface` and `peers`.
+/// Reads a file of which read() takes the keys; others that are there are errors. Error: the document's;
+/// badInput, the first one in the order of reading.
+template <typename File>
+[[nodiscard]] core::Expected<File> readDocument(const core::Expected<core::TomlDocument>& document,
+                                                File (*read)(core::TomlTable& root)) {
+    if (!document)
+        return core::Unexpected(document.error());
+    core::TomlTable root = document->root();
+    File file = read(root);
+    root.finish();
+    if (document->firstError())
+        return core::Unexpected(*document->firstError());
+    return file;
+}
+
+/// Where the other programs are, by the table [ros]; nothing without one.
+[[nodiscard]] std::optional<dds::DomainConfig> readRos(core::TomlTable& root);
+
+/// Of the table [ros]: `domain`, `interface` and `peers`.
 [[nodiscard]] dds::DomainConfig readDomain(core::TomlTable& ros);
 
 /// What a sensor tells is too old after this time: the key `timeout_s`, 0.02 to 1 s.

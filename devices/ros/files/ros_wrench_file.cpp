@@ -13,9 +13,8 @@ struct WrenchFileText {
     Q_DECLARE_TR_FUNCTIONS(RosWrenchFile)
 };
 
-core::Expected<RosWrenchFile> read(const core::TomlDocument& document) {
+RosWrenchFile read(core::TomlTable& root) {
     RosWrenchFile file;
-    core::TomlTable root = document.root();
     (void)root.choice("kind", {"ros_wrench"});
     file.name = root.text("name");
     file.topic = readTopic(root, "topic");
@@ -27,27 +26,18 @@ core::Expected<RosWrenchFile> read(const core::TomlDocument& document) {
             WrenchFileText::tr("1: it reports what acts on the arm; -1: what the arm exerts").toStdString());
     file.sign = static_cast<double>(sign);
     file.timeout_s = readTimeout_s(root, "timeout_s", file.timeout_s);
-    if (root.has("ros")) {
-        core::TomlTable table = root.table("ros");
-        file.domain = readDomain(table);
-        table.finish();
-    }
-    root.finish();
-    if (document.firstError())
-        return core::Unexpected(*document.firstError());
+    file.domain = readRos(root);
     return file;
 }
 
 } // namespace
 
 core::Expected<RosWrenchFile> readRosWrench(const std::string& path) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::open(path));
-    return read(document);
+    return readDocument(core::TomlDocument::open(path), read);
 }
 
 core::Expected<RosWrenchFile> parseRosWrench(std::string_view text, const std::string& file) {
-    TELETA_TRY(const core::TomlDocument document, core::TomlDocument::parse(text, file));
-    return read(document);
+    return readDocument(core::TomlDocument::parse(text, file), read);
 }
 
 } // namespace teleta::ros_arm
