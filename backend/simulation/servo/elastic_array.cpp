@@ -6,6 +6,11 @@
 #include <cstring>
 #include <type_traits>
 
+#ifdef __clang__ // what tells GCC that it may compute several places at once
+#pragma clang diagnostic ignored "-Wunknown-attributes"
+#pragma clang diagnostic ignored "-Wunknown-pragmas"
+#endif
+
 namespace teleta::simulation {
 
 namespace {
@@ -141,50 +146,31 @@ struct Straight {
     }
 };
 
-template <typename Shape>
-[[gnu::always_inline]] inline void fillDepths(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor,
-                                              const DepthColumns& columns) {
-    // Copies, which the results cannot overwrite. No two columns overlap.
-    const Shape body = shape;
-    const Eigen::Matrix3d R = X_Object_Sensor.linear();
-    const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2), x0 = X_Object_Sensor.translation()[0];
-    const double yx = R(1, 0), yy = R(1, 1), yz = R(1, 2), y0 = X_Object_Sensor.translation()[1];
-    const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2), z0 = X_Object_Sensor.translation()[2];
-    const auto [x, y, z, depth_m, normalX, normalY, normalZ, length, count] = columns;
+/// What nearest() of a shape says of the points.
+struct FillDepths {
+    template <typename Shape>
+    [[gnu::always_inline]] void operator()(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor,
+                                           const DepthColumns& columns) const {
+        // Copies, which the results cannot overwrite. No two columns overlap.
+        const Shape body = shape;
+        const Eigen::Matrix3d R = X_Object_Sensor.linear();
+        const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2), x0 = X_Object_Sensor.translation()[0];
+        const double yx = R(1, 0), yy = R(1, 1), yz = R(1, 2), y0 = X_Object_Sensor.translation()[1];
+        const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2), z0 = X_Object_Sensor.translation()[2];
+        const auto [x, y, z, depth_m, normalX, normalY, normalZ, length, count] = columns;
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < count; ++i) {
-        const Nearest nearest =
-            body.nearest(xx * x[i] + xy * y[i] + xz * z[i] + x0, yx * x[i] + yy * y[i] + yz * z[i] + y0,
-                         zx * x[i] + zy * y[i] + zz * z[i] + z0);
-        depth_m[i] = nearest.depth_m;
-        normalX[i] = nearest.x;
-        normalY[i] = nearest.y;
-        normalZ[i] = nearest.z;
-        length[i] = nearest.length;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Nearest nearest =
+                body.nearest(xx * x[i] + xy * y[i] + xz * z[i] + x0, yx * x[i] + yy * y[i] + yz * z[i] + y0,
+                             zx * x[i] + zy * y[i] + zz * z[i] + z0);
+            depth_m[i] = nearest.depth_m;
+            normalX[i] = nearest.x;
+            normalY[i] = nearest.y;
+            normalZ[i] = nearest.z;
+            length[i] = nearest.length;
+        }
     }
-}
-
-#ifdef __x86_64__
-// GCC's elimination of partial redundancies puts parts of a bent bar into branches, which keep it from
-// computing several points at once.
-template <typename Shape>
-[[gnu::target("avx2"), gnu::optimize("no-tree-pre")]] void
-fillDepthsAvx2(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor, const DepthColumns& columns) {
-    fillDepths(shape, X_Object_Sensor, columns);
-}
-#endif
-
-template <typename Shape>
-void fillDepthsQuickly(const Shape& shape, const Eigen::Isometry3d& X_Object_Sensor,
-                       const DepthColumns& columns) {
-#ifdef __x86_64__
-    if (hasAvx2()) {
-        fillDepthsAvx2(shape, X_Object_Sensor, columns);
-        return;
-    }
-#endif
-    fillDepths(shape, X_Object_Sensor, columns);
-}
+};
 
 /// Of pressed springs: in, the points in {s} and the normals in the body's frame, not yet divided by their
 /// length; out, the normals in {s}, their moments about its origin, and the forces.
@@ -205,47 +191,54 @@ struct ScrewColumns {
     std::size_t count;
 };
 
-[[gnu::always_inline]] inline void fillScrews(const Eigen::Matrix3d& R, const ScrewColumns& columns) {
-    const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2);
-    const double yx = R(1, 0), yy = R(1, 1), yz = R(1, 2);
-    const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2);
-    const auto [x, y, z, stiffness_NPerM, depth_m, length, normalX, normalY, normalZ, momentX, momentY,
-                momentZ, force_N, count] = columns;
+struct FillScrews {
+    [[gnu::always_inline]] void operator()(const Eigen::Matrix3d& R, const ScrewColumns& columns) const {
+        const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2);
+        const double yx = R(1, 0), yy = R(1, 1), yz = R(1, 2);
+        const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2);
+        const auto [x, y, z, stiffness_NPerM, depth_m, length, normalX, normalY, normalZ, momentX, momentY,
+                    momentZ, force_N, count] = columns;
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < count; ++i) {
-        const double none = length[i] > 0.0 ? 0.0 : 1.0; // 1: without a normal, which is z then
-        const double scale = 1.0 / (length[i] + none);
-        const double alongX = scale * normalX[i];
-        const double alongY = scale * normalY[i];
-        const double alongZ = scale * normalZ[i] + none;
-        const double nx = xx * alongX + xy * alongY + xz * alongZ;
-        const double ny = yx * alongX + yy * alongY + yz * alongZ;
-        const double nz = zx * alongX + zy * alongY + zz * alongZ;
-        normalX[i] = nx;
-        normalY[i] = ny;
-        normalZ[i] = nz;
-        momentX[i] = y[i] * nz - z[i] * ny;
-        momentY[i] = z[i] * nx - x[i] * nz;
-        momentZ[i] = x[i] * ny - y[i] * nx;
-        force_N[i] = stiffness_NPerM[i] * depth_m[i];
+        for (std::size_t i = 0; i < count; ++i) {
+            const double none = length[i] > 0.0 ? 0.0 : 1.0; // 1: without a normal, which is z then
+            const double scale = 1.0 / (length[i] + none);
+            const double alongX = scale * normalX[i];
+            const double alongY = scale * normalY[i];
+            const double alongZ = scale * normalZ[i] + none;
+            const double nx = xx * alongX + xy * alongY + xz * alongZ;
+            const double ny = yx * alongX + yy * alongY + yz * alongZ;
+            const double nz = zx * alongX + zy * alongY + zz * alongZ;
+            normalX[i] = nx;
+            normalY[i] = ny;
+            normalZ[i] = nz;
+            momentX[i] = y[i] * nz - z[i] * ny;
+            momentY[i] = z[i] * nx - x[i] * nz;
+            momentZ[i] = x[i] * ny - y[i] * nx;
+            force_N[i] = stiffness_NPerM[i] * depth_m[i];
+        }
     }
-}
+};
 
 #ifdef __x86_64__
-[[gnu::target("avx2"), gnu::optimize("no-tree-pre")]] void fillScrewsAvx2(const Eigen::Matrix3d& R,
-                                                                          const ScrewColumns& columns) {
-    fillScrews(R, columns);
+// GCC's elimination of partial redundancies puts parts of a bent bar into branches, which keep it from
+// computing several points at once.
+template <typename Work, typename... Arguments>
+[[gnu::target("avx2"), gnu::optimize("no-tree-pre")]] void doWithAvx2(const Work& work,
+                                                                      const Arguments&... arguments) {
+    work(arguments...);
 }
 #endif
 
-void fillScrewsQuickly(const Eigen::Matrix3d& R, const ScrewColumns& columns) {
+/// Work on columns, as many places at once as the processor takes.
+template <typename Work, typename... Arguments>
+void doQuickly(const Work& work, const Arguments&... arguments) {
 #ifdef __x86_64__
     if (hasAvx2()) {
-        fillScrewsAvx2(R, columns);
+        doWithAvx2(work, arguments...);
         return;
     }
 #endif
-    fillScrews(R, columns);
+    work(arguments...);
 }
 
 void sumPressed(const PressedColumns& pressed, servo::Wrench& wrench, servo::Matrix6& tangent) {
@@ -336,10 +329,10 @@ void ElasticArray::findDepths(const Eigen::Isometry3d& X_Object_Sensor, const Sh
                                .length = m_nearby.length.data(),
                                .count = m_near.size()};
     if constexpr (std::is_same_v<Shape, BarSurface>)
-        shape.isBent() ? fillDepthsQuickly(Bent{shape}, X_Object_Sensor, columns)
-                       : fillDepthsQuickly(Straight{shape}, X_Object_Sensor, columns);
+        shape.isBent() ? doQuickly(FillDepths(), Bent{shape}, X_Object_Sensor, columns)
+                       : doQuickly(FillDepths(), Straight{shape}, X_Object_Sensor, columns);
     else
-        fillDepthsQuickly(shape, X_Object_Sensor, columns);
+        doQuickly(FillDepths(), shape, X_Object_Sensor, columns);
 }
 
 void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched) const {
@@ -375,20 +368,21 @@ void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const T
         m_inBody.normalZ[i] = m_nearby.normalZ[from];
         m_inBody.length[i] = m_nearby.length[from];
     }
-    fillScrewsQuickly(X_Sensor_Object.linear(), {.x = m_inBody.x.data(),
-                                                 .y = m_inBody.y.data(),
-                                                 .z = m_inBody.z.data(),
-                                                 .stiffness_NPerM = m_inBody.stiffness_NPerM.data(),
-                                                 .depth_m = m_inBody.depth_m.data(),
-                                                 .length = m_inBody.length.data(),
-                                                 .normalX = m_inBody.normalX.data(),
-                                                 .normalY = m_inBody.normalY.data(),
-                                                 .normalZ = m_inBody.normalZ.data(),
-                                                 .momentX = m_inBody.momentX.data(),
-                                                 .momentY = m_inBody.momentY.data(),
-                                                 .momentZ = m_inBody.momentZ.data(),
-                                                 .force_N = m_inBody.force_N.data(),
-                                                 .count = pressed});
+    const ScrewColumns columns{.x = m_inBody.x.data(),
+                               .y = m_inBody.y.data(),
+                               .z = m_inBody.z.data(),
+                               .stiffness_NPerM = m_inBody.stiffness_NPerM.data(),
+                               .depth_m = m_inBody.depth_m.data(),
+                               .length = m_inBody.length.data(),
+                               .normalX = m_inBody.normalX.data(),
+                               .normalY = m_inBody.normalY.data(),
+                               .normalZ = m_inBody.normalZ.data(),
+                               .momentX = m_inBody.momentX.data(),
+                               .momentY = m_inBody.momentY.data(),
+                               .momentZ = m_inBody.momentZ.data(),
+                               .force_N = m_inBody.force_N.data(),
+                               .count = pressed};
+    doQuickly(FillScrews(), Eigen::Matrix3d(X_Sensor_Object.linear()), columns);
 }
 
 template <typename Take>
