@@ -4,6 +4,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/sources/camera_dialog.h"
 #include "devices/simulated/simulated_camera_device.h"
+#include "tests/app/console/operate/operate_bench.h"
 #include "tests/support/form_labels.h"
 #include "widgets/camera/camera_panel.h"
 #include "widgets/camera/camera_view.h"
@@ -77,33 +78,14 @@ k4 = 1.11111111
 k5 = 0.23809524
 )";
 
-constexpr int kPatience_ms = 60'000;
-
 } // namespace
 
 /// A simulated camera from its scene file to the views of the Operate page.
-class CameraViewsTest : public QObject {
+class CameraViewsTest : public test::OperateBench {
     Q_OBJECT
 
     QTemporaryDir m_folder;
-    core::StopSwitch m_stop;
-    console::BraceletService m_bracelet{m_stop};
-    std::unique_ptr<SourceManager> m_sources;
-    std::unique_ptr<OperatePage> m_page;
 
-    void poll() {
-        m_sources->poll();
-        m_page->tick();
-    }
-    template <typename Condition>
-    bool comes(const Condition& condition) {
-        return QTest::qWaitFor(
-            [&] {
-                poll();
-                return condition();
-            },
-            kPatience_ms);
-    }
     camera::CameraPanel& panel() { return m_page->cameraViews().panel(); }
     camera::EventModel& events() { return m_page->cameraViews().events().model(); }
     bool lists(const QString& event) {
@@ -116,10 +98,7 @@ class CameraViewsTest : public QObject {
 
 private slots:
     void init() {
-        m_stop.release();
-        m_sources = std::make_unique<SourceManager>(m_stop);
-        m_page = std::make_unique<OperatePage>(*m_sources, m_bracelet, m_stop);
-        m_page->resize(1200, 800);
+        makePage();
         QFile file(m_folder.filePath("poke.toml"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kScene);
@@ -131,10 +110,7 @@ private slots:
             QFAIL(core::describe(failed[0][1].value<core::Error>()).c_str());
     }
 
-    void cleanup() {
-        m_page.reset();
-        m_sources.reset();
-    }
+    void cleanup() { closePage(); }
 
     void aPokeIsSeenToldAndTheArmDrawsBack() {
         QVERIFY(m_page->docks().kind() == OperateDocks::Kind::camera);

@@ -4,6 +4,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/sources/source_manager.h"
 #include "tests/app/cli/gel_video.h"
+#include "tests/app/console/operate/operate_bench.h"
 #include "widgets/camera/gel/gel_event_table.h"
 #include "widgets/camera/gel/gel_panel.h"
 #include "widgets/camera/gel/gel_view.h"
@@ -22,28 +23,12 @@ using console::OperatePage;
 using console::SourceManager;
 
 /// A video of a flat gel from its sensor file to the views of the Operate page.
-class GelViewsTest : public QObject {
+class GelViewsTest : public test::OperateBench {
     Q_OBJECT
 
-    static constexpr int kPatience_ms = 60'000;
-
     QTemporaryDir m_folder;
-    core::StopSwitch m_stop;
-    console::BraceletService m_bracelet{m_stop};
-    std::unique_ptr<SourceManager> m_sources;
-    std::unique_ptr<OperatePage> m_page;
     std::string m_file;
 
-    template <typename Condition>
-    bool comes(const Condition& condition) {
-        return QTest::qWaitFor(
-            [&] {
-                m_sources->poll();
-                m_page->tick();
-                return condition();
-            },
-            kPatience_ms);
-    }
     camera::GelPanel& panel() { return m_page->gelViews().panel(); }
     const pipeline::GelSnapshot& shown() { return panel().view().picture().shown; }
     long listed(const QString& event) {
@@ -65,17 +50,12 @@ private slots:
     }
 
     void init() {
-        m_sources = std::make_unique<SourceManager>(m_stop);
-        m_page = std::make_unique<OperatePage>(*m_sources, m_bracelet, m_stop);
-        m_page->resize(1200, 800);
+        makePage();
         m_sources->open(app::GelRequest{m_file});
         QVERIFY(comes([&] { return m_sources->active() != nullptr && m_sources->active()->isOpen(); }));
     }
 
-    void cleanup() {
-        m_page.reset();
-        m_sources.reset();
-    }
+    void cleanup() { closePage(); }
 
     void aDragIsSeenAndToldAndTheVideoStartsAgain() {
         QVERIFY(m_page->docks().kind() == OperateDocks::Kind::gel);

@@ -7,6 +7,7 @@
 #include "backend/core/device/colour_image.h"
 #include "backend/pipeline/recorded/recorded_scene_camera.h"
 #include "backend/recording/recorder.h"
+#include "tests/app/console/operate/operate_bench.h"
 #include "widgets/camera/scene/scene_panel.h"
 
 #include <QDockWidget>
@@ -28,27 +29,11 @@ using console::OperatePage;
 using console::SourceManager;
 
 /// Cameras that are only looked at, from a list of sources to the dock Scene of the Operate page.
-class SceneViewsTest : public QObject {
+class SceneViewsTest : public test::OperateBench {
     Q_OBJECT
 
-    static constexpr int kPatience_ms = 60'000;
-
     QTemporaryDir m_folder;
-    core::StopSwitch m_stop;
-    console::BraceletService m_bracelet{m_stop};
-    std::unique_ptr<SourceManager> m_sources;
-    std::unique_ptr<OperatePage> m_page;
 
-    template <typename Condition>
-    bool comes(const Condition& condition) {
-        return QTest::qWaitFor(
-            [&] {
-                m_sources->poll();
-                m_page->tick();
-                return condition();
-            },
-            kPatience_ms);
-    }
     std::string write(const char* name, const std::string& text) {
         QFile file(m_folder.filePath(name));
         if (!file.open(QIODevice::WriteOnly) || file.write(text.c_str()) < 0)
@@ -80,16 +65,11 @@ private slots:
     }
 
     void init() {
-        m_sources = std::make_unique<SourceManager>(m_stop);
-        m_page = std::make_unique<OperatePage>(*m_sources, m_bracelet, m_stop);
-        m_page->resize(1200, 800);
+        makePage();
         m_page->show();
     }
 
-    void cleanup() {
-        m_page.reset();
-        m_sources.reset();
-    }
+    void cleanup() { closePage(); }
 
     void aListNamesCamerasAndAFileOverRosIsAListOfItself() {
         const auto list = app::readSourceList(write(
