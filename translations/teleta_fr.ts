@@ -3042,7 +3042,7 @@ Exemples&#xa0;:
         <translation>%1 n’a pas de durée&#xa0;: la machine était trop occupée. Fermez les autres programmes et mesurez de nouveau.</translation>
     </message>
     <message>
-        <source>No way to do this job takes less than %1: the limit.</source>
+        <source>Nothing can do this job in less than %1: this is its limit.</source>
         <translation>Aucune façon de faire ce travail ne prend moins de %1&#xa0;: c’est la limite.</translation>
     </message>
     <message>
@@ -9303,20 +9303,8 @@ Run %2 --help for more.
 <context>
     <name>RosArray</name>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>%1 has no sensor named &quot;%2&quot;</source>
         <translation>%1 n’a pas de capteur nommé «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>nobody publishes %1</source>
-        <translation>personne ne publie&#xa0;%1</translation>
-    </message>
-    <message>
-        <source>%1 is silent</source>
-        <translation>%1 se tait</translation>
     </message>
 </context>
 <context>
@@ -9340,21 +9328,6 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = un nombre dans l’unité des valeurs</translation>
-    </message>
-</context>
-<context>
-    <name>RosCamera</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>nobody publishes %1</source>
-        <translation>personne ne publie&#xa0;%1</translation>
-    </message>
-    <message>
-        <source>%1 is silent</source>
-        <translation>%1 se tait</translation>
     </message>
 </context>
 <context>
@@ -14979,6 +14952,21 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>TopicFeedText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1 se tait</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>personne ne publie&#xa0;%1</translation>
+    </message>
+</context>
+<context>
     <name>TouchTexts</name>
     <message>
         <source>sponge</source>
@@ -18181,7 +18169,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Le fichier de caméra écrit par la page Étalonnage ou par teleta calibrate&#xa0;; sans lui, la caméra ne fait que regarder</translation>
     </message>
     <message>
-        <source>none: only look</source>
+        <source>none: only show the picture</source>
         <translation>aucun&#xa0;: regarder seulement</translation>
     </message>
 </context>

@@ -3036,7 +3036,7 @@ Examples:
         <translation>%1には時間がありません。コンピューターの負荷が高すぎました。他のプログラムを閉じて、もう一度測定してください。</translation>
     </message>
     <message>
-        <source>No way to do this job takes less than %1: the limit.</source>
+        <source>Nothing can do this job in less than %1: this is its limit.</source>
         <translation>この処理はどの方法でも%1より短くはなりません。これが限界です。</translation>
     </message>
     <message>
@@ -9278,20 +9278,8 @@ Run %2 --help for more.
 <context>
     <name>RosArray</name>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>%1 has no sensor named &quot;%2&quot;</source>
         <translation>%1に「%2」という名前のセンサーはありません</translation>
-    </message>
-    <message>
-        <source>nobody publishes %1</source>
-        <translation>%1 を送信するものがありません</translation>
-    </message>
-    <message>
-        <source>%1 is silent</source>
-        <translation>%1から何も届きません</translation>
     </message>
 </context>
 <context>
@@ -9315,21 +9303,6 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = 値の単位での数</translation>
-    </message>
-</context>
-<context>
-    <name>RosCamera</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>nobody publishes %1</source>
-        <translation>%1 を送信するものがありません</translation>
-    </message>
-    <message>
-        <source>%1 is silent</source>
-        <translation>%1から何も届きません</translation>
     </message>
 </context>
 <context>
@@ -14942,6 +14915,21 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>TopicFeedText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1から何も届きません</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>%1 を送信するものがありません</translation>
+    </message>
+</context>
+<context>
     <name>TouchTexts</name>
     <message>
         <source>sponge</source>
@@ -18126,7 +18114,7 @@ Run teleta-site --help for more.
         <translation>キャリブレーションページまたはteleta calibrateが書き込んだカメラファイル。なければカメラの画像を見るだけになります</translation>
     </message>
     <message>
-        <source>none: only look</source>
+        <source>none: only show the picture</source>
         <translation>なし: 見るだけ</translation>
     </message>
 </context>

@@ -3036,7 +3036,7 @@ Examples:
         <translation>%1 没有时间：计算机太忙。请关闭其他程序后重新测量。</translation>
     </message>
     <message>
-        <source>No way to do this job takes less than %1: the limit.</source>
+        <source>Nothing can do this job in less than %1: this is its limit.</source>
         <translation>完成这项工作的任何方法都不会少于 %1：这是极限。</translation>
     </message>
     <message>
@@ -9278,20 +9278,8 @@ Run %2 --help for more.
 <context>
     <name>RosArray</name>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>%1 has no sensor named &quot;%2&quot;</source>
         <translation>%1 中没有名为“%2”的传感器</translation>
-    </message>
-    <message>
-        <source>nobody publishes %1</source>
-        <translation>没有程序发布 %1</translation>
-    </message>
-    <message>
-        <source>%1 is silent</source>
-        <translation>%1 没有数据</translation>
     </message>
 </context>
 <context>
@@ -9315,21 +9303,6 @@ Run %2 --help for more.
     <message>
         <source>threshold = a number in the unit of the values</source>
         <translation>threshold = 以数值的单位表示的数</translation>
-    </message>
-</context>
-<context>
-    <name>RosCamera</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>nobody publishes %1</source>
-        <translation>没有程序发布 %1</translation>
-    </message>
-    <message>
-        <source>%1 is silent</source>
-        <translation>%1 没有数据</translation>
     </message>
 </context>
 <context>
@@ -14942,6 +14915,21 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>TopicFeedText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 is silent</source>
+        <translation>%1 没有数据</translation>
+    </message>
+    <message>
+        <source>nobody publishes %1</source>
+        <translation>没有程序发布 %1</translation>
+    </message>
+</context>
+<context>
     <name>TouchTexts</name>
     <message>
         <source>sponge</source>
@@ -18126,7 +18114,7 @@ Run teleta-site --help for more.
         <translation>“标定”页或 teleta calibrate 写出的相机文件；没有它时相机仅用于观看</translation>
     </message>
     <message>
-        <source>none: only look</source>
+        <source>none: only show the picture</source>
         <translation>无：仅观看</translation>
     </message>
 </context>

@@ -72,7 +72,7 @@ QString CostWords::whyNotCompared(const cost::RungCost& rung) {
         return tr("%1 has no time: the machine was too busy. Close other programs and measure again.")
             .arg(name);
     const QString time = quantity(rung.timeMedian_s, QStringLiteral("s"));
-    return rung.isLimit() ? tr("No way to do this job takes less than %1: the limit.").arg(time)
+    return rung.isLimit() ? tr("Nothing can do this job in less than %1: this is its limit.").arg(time)
                           : tr("%1 takes %2. It has no error to compare.").arg(name, time);
 }
 

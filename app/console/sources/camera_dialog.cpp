@@ -29,7 +29,7 @@ CameraDialog::CameraDialog(const app::CameraRequest& last, QWidget* parent,
     setWindowTitle(tr("Open camera"));
     m_model->setToolTip(tr("The camera file that the page Calibrate or teleta calibrate has written; without "
                            "one the camera is only looked at"));
-    m_model->setPlaceholderText(tr("none: only look"));
+    m_model->setPlaceholderText(tr("none: only show the picture"));
     m_loop->setChecked(last.loop);
     m_model->setMinimumWidth(base::em(this, 24));
 

@@ -76,7 +76,7 @@ private slots:
                  qPrintable(said("a")));
     }
     void aSettingWithoutATimeOrAnErrorSaysWhy() {
-        QVERIFY2(about("limit").contains("takes less than 100 \u00b5s"), qPrintable(about("limit")));
+        QVERIFY2(about("limit").contains("in less than 100 \u00b5s"), qPrintable(about("limit")));
         QVERIFY(about("unknown").isEmpty());
         cost::LadderCost noisy = job();
         noisy.rungs[1].timeMedian_s = std::nan("");
