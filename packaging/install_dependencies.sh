@@ -40,8 +40,8 @@ build_packages=(
     libmodbus-dev
     # the bracelet on a sound card; libjack is loaded at run time
     libasound2-dev
-    # descriptions of robots
-    liburdfdom-dev
+    # descriptions of robots, and the meshes that they name
+    liburdfdom-dev libassimp-dev
     # robots over ROS 2
     cyclonedds-dev cyclonedds-tools
     # certificates and permissions of sites

@@ -85,7 +85,8 @@ openRemote(const std::shared_ptr<site_link::SiteClient>& site, const SiteRequest
     TELETA_TRY(auto source, site_link::RemoteArm::open(site, device, arm.description));
     if (skin != nullptr)
         return std::make_shared<pipeline::ArmChannel>(std::move(source), std::move(skin));
-    return std::make_shared<pipeline::JointChannel>(std::move(source), std::move(arm.chain));
+    return std::make_shared<pipeline::JointChannel>(std::move(source), std::move(arm.chain),
+                                                    site->file().meshPath);
 }
 
 } // namespace teleta::app

@@ -204,7 +204,7 @@ core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwi
     TELETA_TRY(const auto file, ros_arm::readRosArm(request.path));
     TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, cancelled, request.required));
     auto chain = arm->sharedChain();
-    return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain));
+    return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain), file.meshPath);
 }
 
 core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSwitch& stop) {

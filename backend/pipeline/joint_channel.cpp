@@ -12,9 +12,10 @@
 namespace teleta::pipeline {
 
 JointChannel::JointChannel(std::unique_ptr<core::ArmSource> arm,
-                           std::shared_ptr<const arm_model::SerialChain> chain)
+                           std::shared_ptr<const arm_model::SerialChain> chain, std::string meshFolder)
     : m_arm(std::move(arm))
     , m_chain(std::move(chain))
+    , m_meshFolder(std::move(meshFolder))
     , m_samples(kHistorySamples) {
 }
 
@@ -24,7 +25,7 @@ JointChannel::~JointChannel() {
 
 ChannelSummary JointChannel::summary() const {
     const core::ArmDescription& arm = description();
-    return {arm.name, arm.nominalRate_Hz, arm.simulated, arm.recorded};
+    return {arm.name, arm.nominalRate_Hz, arm.simulated, arm.recorded, arm.guarded};
 }
 
 void JointChannel::drain() {

@@ -27,21 +27,24 @@ namespace teleta::pipeline {
 /// Three sides, one thread each:
 /// - pipeline thread: process() drains the joint samples and publishes them;
 /// - viewer (one thread, the GUI's): popSample() and the commands of device();
-/// - any thread: description(), status(), jointStatus(), chain(), counters.
+/// - any thread: description(), status(), jointStatus(), chain(), meshFolder(), counters.
 class JointChannel : public Channel {
 public:
     /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
     static constexpr std::size_t kHistorySamples = 16'384;
 
-    /// arm: not null. chain: its joints and links, where a description of them is known.
+    /// arm: not null. chain: its joints and links, where a description of them is known. meshFolder: with the
+    /// meshes that the description names; empty: none.
     explicit JointChannel(std::unique_ptr<core::ArmSource> arm,
-                          std::shared_ptr<const arm_model::SerialChain> chain = nullptr);
+                          std::shared_ptr<const arm_model::SerialChain> chain = nullptr,
+                          std::string meshFolder = {});
     ~JointChannel() override;
 
     [[nodiscard]] const core::ArmDescription& description() const { return m_arm->description(); }
     [[nodiscard]] core::DeviceStatus jointStatus() const { return m_arm->status(); }
     /// Null where the arm is described by core::ArmDescription alone.
     [[nodiscard]] const std::shared_ptr<const arm_model::SerialChain>& chain() const { return m_chain; }
+    [[nodiscard]] const std::string& meshFolder() const { return m_meshFolder; }
     /// Moves the arm: post(), setProgramRunning(), restartProgram() by the viewer thread.
     [[nodiscard]] core::ArmSource& device() { return *m_arm; }
 
@@ -93,6 +96,7 @@ private:
 
     std::unique_ptr<core::ArmSource> m_arm;
     std::shared_ptr<const arm_model::SerialChain> m_chain;
+    std::string m_meshFolder;
     core::LatestCopy<Tap> m_tap;
     std::array<core::LatestCopy<Tap>, kWatchers> m_watched;
     std::array<Tap, 1 + kWatchers> m_tapsInUse; ///< the recorder's first; of the pipeline's thread

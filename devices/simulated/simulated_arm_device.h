@@ -35,6 +35,8 @@ public:
     [[nodiscard]] core::DeviceStatus status() const override { return m_worker->joints().status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return m_worker->drive().drive(); }
 
+    [[nodiscard]] std::uint64_t presentObjects() const override { return m_worker->presentObjects(); }
+
     void post(const core::ArmCommand& command) override {
         m_worker->drive().post(command, m_worker->now_ns());
     }

@@ -46,6 +46,7 @@ SimulatedArmWorker::SimulatedArmWorker(std::unique_ptr<core::ArmGenerator> gener
 
 void SimulatedArmWorker::open(core::Wakeup& consumer) {
     m_drive.begin(m_config.startProgram);
+    m_present.store(m_generator->presentObjects(), std::memory_order_relaxed);
     m_joints.open(consumer, now_ns());
     m_skin.open(consumer, now_ns());
 }
@@ -102,6 +103,7 @@ void SimulatedArmWorker::step(const SimulatedFaults& faults) {
 
     core::JointSample sample;
     m_generator->next(demand, sample);
+    m_present.store(m_generator->presentObjects(), std::memory_order_relaxed);
     if (m_generator->isRemote()) {
         count();
         deliverArrivals(faults);

@@ -8,6 +8,7 @@
 #include "devices/simulated/arm_drive_control.h"
 #include "devices/simulated/simulated_worker.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -48,6 +49,8 @@ public:
     [[nodiscard]] ArmDriveControl& drive() { return m_drive; }
     [[nodiscard]] core::JointOutlet& joints() { return m_joints; }
     [[nodiscard]] core::SourceOutlet& skin() { return m_skin; }
+    /// As core::ArmSource::presentObjects(). Thread: any.
+    [[nodiscard]] std::uint64_t presentObjects() const { return m_present.load(std::memory_order_relaxed); }
 
 private:
     void setState(core::DeviceState state, const std::string& message) override;
@@ -63,6 +66,7 @@ private:
     void deliverFrame(std::int64_t time_ns, double sourceTime_s, std::optional<std::int64_t> arrived_ns = {});
 
     std::unique_ptr<core::ArmGenerator> m_generator;
+    std::atomic<std::uint64_t> m_present{0};
     const core::StopSwitch& m_stopSwitch;
     SimulatedArmConfig m_config;
     core::ArmDescription m_description;

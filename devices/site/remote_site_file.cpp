@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/site/remote_site_file.h"
 
+#include "backend/core/beside_file.h"
 #include "devices/site/site_topics.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,8 @@ core::Expected<RemoteSiteFile> read(const core::TomlDocument& document, const st
     file.console = readSiteName(root, "console");
     file.person = root.text("person", std::string());
     file.viewer = root.boolean("viewer", false);
+    if (root.has("mesh_path"))
+        file.meshPath = core::besideFile(path, root.text("mesh_path"));
     file.meeting = readOperatorDomain(root, path);
     root.finish();
     if (document.firstError())

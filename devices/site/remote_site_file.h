@@ -11,10 +11,11 @@ namespace teleta::site_link {
 
 /// A site as a console sees it (kind = "remote_site").
 struct RemoteSiteFile {
-    std::string name;    ///< of the site, as its own file has it
-    std::string console; ///< of this console, as in its certificate
-    std::string person;  ///< who operates it; may be empty
-    bool viewer = false; ///< only looks
+    std::string name;     ///< of the site, as its own file has it
+    std::string console;  ///< of this console, as in its certificate
+    std::string person;   ///< who operates it; may be empty
+    bool viewer = false;  ///< only looks
+    std::string meshPath; ///< folder with the meshes of the site's arms, at the console; empty: none
     OperatorDomain meeting;
 };
 

@@ -76,6 +76,8 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneMarks& mar
         if (request.contactLabels)
             addContacts(scene, content);
     }
+    if (marks.scenery.isVisible())
+        addScenery(scene, marks.scenery, content);
     if (request.contactLabels) {
         addWrench(scene, marks.wrench, content);
         addTubeMarks(scene, content);
@@ -149,6 +151,17 @@ void OverlayMaker::addLimits(const TouchScene& scene, const LimitPart& limits, O
             tr("%1: %2\u00b0, range %3 \u2026 %4\u00b0")
                 .arg(dial.name, degrees(dial.angle_rad), degrees(dial.lowest_rad), degrees(dial.highest_rad));
         content.labels.push_back({*place, text, mark.colour, true, true});
+    }
+}
+
+void OverlayMaker::addScenery(const TouchScene& scene, const SceneryPart& scenery, OverlayContent& content) {
+    for (const SceneryItem& item : scenery.items()) {
+        Eigen::AlignedBox2d box;
+        for (const Eigen::Vector2d& corner : item.outline_m)
+            box.extend(corner);
+        const Eigen::Vector3d middle(box.center().x(), box.center().y(), item.z_m);
+        if (const auto place = placeInPicture(*scene.renderer(), middle))
+            content.labels.push_back({*place, item.name, scene.colours().text});
     }
 }
 

@@ -45,6 +45,7 @@ public:
 private:
     void addContacts(const TouchScene& scene, OverlayContent& content);
     static void addObjects(const TouchScene& scene, OverlayContent& content);
+    static void addScenery(const TouchScene& scene, const SceneryPart& scenery, OverlayContent& content);
     void addTubeMarks(const TouchScene& scene, OverlayContent& content);
     void addWrench(const TouchScene& scene, const WrenchPart& wrench, OverlayContent& content);
     static void addLimits(const TouchScene& scene, const LimitPart& limits, OverlayContent& content);

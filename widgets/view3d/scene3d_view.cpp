@@ -266,6 +266,8 @@ void Scene3dView::retranslate() {
     layer(SceneLayers::forces, tr("Forces"), tr("Show forces as arrows"));
     layer(SceneLayers::moments, tr("Moments"),
           tr("Show the moment of the loads on a flat array about their centre, as an arrow that turns"));
+    layer(SceneLayers::scenery, tr("Objects of the scene"),
+          tr("Show what a simulated scene has around the arm"));
     name(parts.copyPicture, tr("Copy picture"), tr("Copy the picture"));
     name(parts.saveGeometry, tr("Export geometry…"), tr("Save the scene for other programs: VTP, PLY, STL"));
     parts.toolBar->setAccessibleName(tr("3-D view"));
@@ -327,7 +329,11 @@ void Scene3dView::refresh() {
 }
 
 void Scene3dView::sceneMoved(bool refit) {
-    m_parts->camera.setScene(m_parts->scene.corners(), refit);
+    std::vector<Eigen::Vector3d> corners = m_parts->scene.corners();
+    const Eigen::AlignedBox3d scenery = m_parts->marks.scenery.box_m();
+    for (int corner = 0; corner < 8 && !scenery.isEmpty(); ++corner)
+        corners.push_back(scenery.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    m_parts->camera.setScene(std::move(corners), refit);
 }
 
 void Scene3dView::clear() {
@@ -400,6 +406,18 @@ void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
     sceneMoved(wasEmpty != m_parts->scene.armBox_m().isEmpty());
 }
 
+void Scene3dView::setRobot(std::shared_ptr<const RobotShape> shape) {
+    m_parts->scene.setRobot(std::move(shape));
+    sceneMoved(true);
+}
+
+void Scene3dView::setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
+                                std::span<const Eigen::Isometry3d> commanded) {
+    const bool wasShown = m_parts->scene.robot().isShown();
+    m_parts->scene.setRobotPoses(X_World_Link, commanded);
+    sceneMoved(wasShown != m_parts->scene.robot().isShown());
+}
+
 void Scene3dView::setTip(const Eigen::Vector3d& p_World_m, double time_s) {
     if (m_parts->marks.trail.add(p_World_m, time_s))
         m_parts->vtk->requestRender();
@@ -419,7 +437,15 @@ void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
     parts.vtk->requestRender();
 }
 
+void Scene3dView::setScenery(std::span<const SceneryItem> items) {
+    const bool wasEmpty = m_parts->marks.scenery.items().empty();
+    if (m_parts->marks.scenery.set(items))
+        sceneMoved(wasEmpty != m_parts->marks.scenery.items().empty());
+}
+
 void Scene3dView::forgetArm() {
+    m_parts->scene.setRobot(nullptr);
+    setScenery({});
     m_parts->marks.trail.clear();
     m_parts->marks.limits.set({});
     setForce(std::nullopt);
@@ -442,6 +468,7 @@ void Scene3dView::showLayers() {
     parts.marks.limits.setVisible(layers.shows(SceneLayers::jointLimits));
     parts.marks.wrench.setForcesShown(layers.shows(SceneLayers::forces));
     parts.marks.wrench.setMomentsShown(layers.shows(SceneLayers::moments));
+    parts.marks.scenery.setVisible(layers.shows(SceneLayers::scenery));
     parts.vtk->requestRender();
 }
 

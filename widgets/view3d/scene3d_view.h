@@ -16,6 +16,10 @@
 
 class QMenu;
 
+namespace teleta::view3d {
+struct RobotShape;
+}
+
 namespace teleta::pipeline {
 struct CameraSnapshot;
 }
@@ -56,6 +60,12 @@ public:
     void setObjects(std::span<const DrawnObject> objects);
     /// The arm, starting at its base; empty: none.
     void setArmLinks(std::span<const ArmLink> links);
+    /// What the arm's links look like, in the world frame at poses of their own; null: as setArmLinks() has
+    /// them.
+    void setRobot(std::shared_ptr<const RobotShape> shape);
+    /// Of all links of the robot, and where it is told to be, which is drawn as a ghost; empty: no ghost.
+    void setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
+                       std::span<const Eigen::Isometry3d> commanded);
     /// Where the arm's tip is at a time of the arm's own: it draws a trail that fades over 5 s. The trail
     /// begins anew when the time goes back or jumps.
     void setTip(const Eigen::Vector3d& p_World_m, double time_s);
@@ -66,7 +76,9 @@ public:
     void setForce(const std::optional<DrawnForce>& force);
     /// The array is bent in truth, however it is drawn: the moment of its loads is not known.
     void setArrayBent(bool bent);
-    /// No trail, no joints, no force.
+    /// What a simulated world has around the arm.
+    void setScenery(std::span<const SceneryItem> items);
+    /// No robot, no trail, no joints, no force.
     void forgetArm();
     /// Bounding box of the arm shown; empty: none. World frame, m.
     [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const;

@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kViewAngle_rad = 30.0 * std::numbers::pi / 180.0;
 constexpr double kFill = 0.86;
+/// The camera goes back when the scene reaches this share of the picture.
+constexpr double kLeave = 0.97;
 constexpr double kLeastRadius_m = 1e-4;
 constexpr double kFollowTime_s = 0.3;
 /// Distance of the target from the middle, as a share of the visible height, at which the camera moves.
@@ -93,19 +95,45 @@ double SceneCamera::visibleHeight_m() const {
 }
 
 void SceneCamera::update(bool refit) {
-    if (m_fitted && refit)
+    if (m_fitted && refit) {
         fit();
+    } else if (m_fitted) {
+        for (const Eigen::Vector3d& corner : m_corners_m)
+            m_seen_m.extend(corner);
+        if (leavesPicture()) {
+            std::vector<Eigen::Vector3d> corners_m;
+            for (int corner = 0; corner < 8; ++corner)
+                corners_m.push_back(m_seen_m.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+            fitTo(corners_m);
+        }
+    }
     apply();
+}
+
+bool SceneCamera::leavesPicture() const {
+    const Eigen::Vector3d up = m_orbit.up();
+    const Eigen::Vector3d right = up.cross(m_orbit.direction());
+    return std::ranges::any_of(m_corners_m, [&](const Eigen::Vector3d& corner) {
+        const Eigen::Vector3d from_m = corner - m_focal_m;
+        const double depth_m = m_parallel ? m_distance_m : m_distance_m - from_m.dot(m_orbit.direction());
+        const double half_m = kLeave * depth_m * std::tan(0.5 * kViewAngle_rad);
+        return std::abs(from_m.dot(up)) > half_m || std::abs(from_m.dot(right)) > half_m * m_aspect;
+    });
 }
 
 void SceneCamera::fit() {
     m_fitted = true;
-    Eigen::AlignedBox3d box;
+    m_seen_m.setEmpty();
     for (const Eigen::Vector3d& corner : m_corners_m)
-        box.extend(corner);
-    m_focal_m = box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(box.center());
+        m_seen_m.extend(corner);
+    fitTo(m_corners_m);
+}
+
+void SceneCamera::fitTo(const std::vector<Eigen::Vector3d>& corners_m) {
+    m_focal_m =
+        m_seen_m.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(m_seen_m.center());
     const CameraFit fitted =
-        fitCamera(m_orbit, m_focal_m, m_corners_m, kViewAngle_rad, m_aspect, kFill, kLeastRadius_m);
+        fitCamera(m_orbit, m_focal_m, corners_m, kViewAngle_rad, m_aspect, kFill, kLeastRadius_m);
     // One distance serves both projections, so that switching keeps the size at the focal point.
     m_distance_m =
         m_parallel ? fitted.parallelHalfHeight_m / std::tan(0.5 * kViewAngle_rad) : fitted.distance_m;

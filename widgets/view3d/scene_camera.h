@@ -4,6 +4,7 @@
 #include "widgets/view3d/orbit.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vtkInteractorStyle.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -17,7 +18,8 @@ class vtkRenderer;
 namespace teleta::view3d {
 
 /// The camera of the scene: an orbit around a focal point, with z up. It stays fitted to the scene until the
-/// user zooms or moves it. Thread: GUI.
+/// user zooms or moves it: where the scene would leave the picture, the camera goes back so far that all
+/// places at which it was since the last fit are seen. Thread: GUI.
 class SceneCamera {
 public:
     explicit SceneCamera(vtkRenderer* renderer);
@@ -49,11 +51,15 @@ private:
     /// refit: fits the camera again, unless the user moved it.
     void update(bool refit);
     void fit();
+    void fitTo(const std::vector<Eigen::Vector3d>& corners_m);
+    /// Whether a corner is outside of the picture, or nearly.
+    [[nodiscard]] bool leavesPicture() const;
     void apply();
 
     vtkRenderer* m_renderer;
     std::function<void()> m_changed;
     std::vector<Eigen::Vector3d> m_corners_m;
+    Eigen::AlignedBox3d m_seen_m; ///< all corners since the last fit
     Orbit m_orbit = orbitOf(CameraPreset::isometric);
     Eigen::Vector3d m_focal_m = Eigen::Vector3d::Zero();
     double m_distance_m = 1.0;

@@ -7,8 +7,8 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr std::array kNames{"grid",  "axes",        "displacement", "contactLabels",
-                            "trail", "jointLimits", "forces",       "moments"};
+constexpr std::array kNames{"grid",        "axes",   "displacement", "contactLabels", "trail",
+                            "jointLimits", "forces", "moments",      "scenery"};
 static_assert(kNames.size() == SceneLayers::kLayers);
 
 } // namespace

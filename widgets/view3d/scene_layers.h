@@ -23,6 +23,7 @@ public:
         jointLimits,
         forces,
         moments,
+        scenery,
         kLayers,
     };
 

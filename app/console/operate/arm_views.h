@@ -73,6 +73,7 @@ public:
 
 signals:
     void exportFailed(const QString& message);
+    void meshesFailed(const QString& message);
 
 private:
     /// State kept for an arm that is not shown.

@@ -5,7 +5,9 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
+#include "widgets/base/background.h"
 #include "widgets/touch/jog/jog_panel.h"
+#include "widgets/view3d/robot/robot_shape.h"
 #include "widgets/view3d/scene3d_view.h"
 
 #include <algorithm>
@@ -21,6 +23,8 @@ namespace {
 constexpr double kThickness = 0.035;
 constexpr double kThinnest_m = 0.005;
 constexpr double kShortest_m = 1e-3;
+/// A joint (rad, m) that is farther from where it was told to be shows the ghost.
+constexpr double kGhost_rad = 0.02;
 /// Time between two places of the tip's trail.
 constexpr double kTipStep_s = 0.02;
 
@@ -70,6 +74,7 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
             return chain->X_Base_Tip(sample.angle_rad).translation();
         };
         m_dials.emplace(chain);
+        loadRobot();
     }
     m_chart->setProvenance(provenance);
     m_chart->setJoints(m_arm->description().joints());
@@ -77,6 +82,26 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
     // Nothing new may come: a recording that is paused stands as it was left.
     if (auto kept = m_kept.extract(m_arm))
         m_chart->setContent(std::move(kept.mapped()));
+}
+
+/// Meshes may be large: until they are read, tubes are drawn between the joints.
+void JointViews::loadRobot() {
+    using Loaded = core::Expected<view3d::RobotShape>;
+    base::runInBackground(
+        this,
+        [chain = m_arm->chain(), folder = m_arm->meshFolder()] {
+            return std::make_shared<Loaded>(view3d::loadRobotShape(chain->model(), folder));
+        },
+        [this, arm = std::weak_ptr(m_arm),
+         folder = m_arm->meshFolder()](const std::shared_ptr<Loaded>& loaded) {
+            if (arm.lock() != m_arm || !m_arm)
+                return;
+            if (*loaded)
+                m_scene.setRobot(std::make_shared<const view3d::RobotShape>(std::move(**loaded)));
+            else if (!folder.empty()) // without a folder nobody expects meshes
+                emit meshesFailed(tr("The arm is drawn without its meshes: %1")
+                                      .arg(QString::fromStdString(core::describe(loaded->error()))));
+        });
 }
 
 void JointViews::setTouching(bool touching) {
@@ -93,6 +118,7 @@ void JointViews::clear() {
     }
     m_tipOf = {};
     m_dials.reset();
+    m_present = 0;
     m_asked = false;
     m_silent = false;
     m_sample_ns = m_sampleCame_ns = 0;
@@ -130,6 +156,7 @@ void JointViews::tick() {
             show(m_samples.back());
         m_chart->append(m_samples);
         followTip();
+        showScenery();
         m_jog->setDrive(m_arm->device().drive());
         m_jog->setHindrance(QString::fromStdString(m_arm->device().hindrance()));
     }
@@ -168,6 +195,24 @@ void JointViews::followTip() {
     }
 }
 
+void JointViews::showScenery() {
+    const std::uint64_t present = m_arm->device().presentObjects();
+    if (std::exchange(m_present, present) == present)
+        return;
+    std::vector<view3d::SceneryItem> items;
+    const std::vector<core::WorldObject>& objects = m_arm->description().objects;
+    for (std::size_t i = 0; i < std::min<std::size_t>(objects.size(), 64); ++i) {
+        if (((present >> i) & 1U) == 0)
+            continue;
+        view3d::SceneryItem& item = items.emplace_back();
+        item.name = QString::fromStdString(objects[i].name);
+        item.z_m = objects[i].z_m;
+        for (const auto& [x_m, y_m] : objects[i].outline_m)
+            item.outline_m.emplace_back(x_m, y_m);
+    }
+    m_scene.setScenery(items);
+}
+
 void JointViews::showChain(const core::JointSample& sample) {
     const arm_model::SerialChain& chain = *m_arm->chain();
     if (sample.angle_rad.size() != chain.joints())
@@ -193,6 +238,18 @@ void JointViews::showChain(const core::JointSample& sample) {
         link.radius_m = radius_m;
     m_scene.setArmLinks(links);
     m_scene.setJoints(m_dials->at(sample.angle_rad, radius_m));
+    showRobot(sample);
+}
+
+/// Where the arm was told to be stands beside it as a ghost, as long as both can be told apart.
+void JointViews::showRobot(const core::JointSample& sample) {
+    const arm_model::SerialChain& chain = *m_arm->chain();
+    const core::JointVector& commanded = sample.reference_rad;
+    bool apart = false;
+    for (std::size_t i = 0; commanded.size() == chain.joints() && i < commanded.size(); ++i)
+        apart = apart || std::abs(commanded[i] - sample.angle_rad[i]) > kGhost_rad;
+    m_scene.setRobotPoses(chain.linkPoses(sample.angle_rad),
+                          apart ? chain.linkPoses(commanded) : std::vector<Eigen::Isometry3d>());
 }
 
 void JointViews::setProgramRunning(bool running) {

@@ -67,10 +67,15 @@ public:
 
 signals:
     void exportFailed(const QString& message);
+    /// The arm's meshes cannot be shown; a sentence.
+    void meshesFailed(const QString& message);
 
 private:
     void followTip();
+    void loadRobot();
     void showChain(const core::JointSample& sample);
+    void showRobot(const core::JointSample& sample);
+    void showScenery();
     void post(const core::JointVector& rate_radPerS);
     bool readingsWait();
     void clear();
@@ -88,6 +93,7 @@ private:
     std::vector<core::JointSample> m_samples; ///< of a tick
     TipOf m_tipOf;
     std::optional<ChainDials> m_dials; ///< of an arm with a chain
+    std::uint64_t m_present = 0;       ///< ArmSource::presentObjects(), as drawn
     double m_tip_s = 0.0;              ///< of the arm, when the tip was told last
     bool m_asked = false;              ///< the last command was to move
     bool m_silent = false;

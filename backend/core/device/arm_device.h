@@ -45,6 +45,13 @@ struct SkinPlacement {
     [[nodiscard]] double y_m(double side) const { return (centreSide_rad - side) * radius_m; }
 };
 
+/// Something upright in a simulated world, for views: its outline in a plane z = z_m of the base.
+struct WorldObject {
+    std::string name;
+    std::vector<std::array<double, 2>> outline_m; ///< x, y of at least three corners in order; closed
+    double z_m = 0.0;
+};
+
 /// What a remote arm is; constant while it is open.
 struct ArmDescription {
     std::string name;
@@ -63,6 +70,11 @@ struct ArmDescription {
     JointVector highest_rad;
     JointVector fastest_radPerS; ///< limit of each joint's speed
     bool hasProgram = false;     ///< the arm can move by a program of its own (a simulated scene)
+    /// Something at the robot ends a motion when no more commands come. Without it the arm goes on when this
+    /// program ends or the network is cut: whoever looks at the arm has to know.
+    bool guarded = true;
+    /// Of a simulated world that is no secret; which of them are there now, presentObjects() says.
+    std::vector<WorldObject> objects;
 
     [[nodiscard]] std::size_t joints() const { return lowest_rad.size(); }
 };
@@ -102,6 +114,8 @@ public:
     /// Why commands do not move it now, a translated sentence without a full stop; empty: nothing is in the
     /// way that it knows of.
     [[nodiscard]] virtual std::string hindrance() const { return {}; }
+    /// Bit i: ArmDescription::objects[i] is there now.
+    [[nodiscard]] virtual std::uint64_t presentObjects() const { return 0; }
 
     // An arm that takes no commands ignores them.
     /// The latest command wins. NaN counts as zero, speeds are limited to the description's, a joint at the
@@ -150,6 +164,8 @@ public:
     /// The program has ended; further program steps hold the arm.
     [[nodiscard]] virtual bool programDone() const = 0;
     virtual void restart() = 0;
+    /// As ArmSource::presentObjects().
+    [[nodiscard]] virtual std::uint64_t presentObjects() const { return 0; }
 
     /// The arm is at another site: takeArrival() gives what reaches the operator; ignore the samples and
     /// frames of next() and skinFrame().

@@ -71,6 +71,24 @@ OutlineGeometry::OutlineGeometry(const scene::ArmObject& object)
     }
 }
 
+std::vector<Vector2d> OutlineGeometry::drawnCorners_m() const {
+    if (!m_corners_m.empty())
+        return m_corners_m;
+    std::vector<Vector2d> corners_m;
+    if (m_radius_m > 0.0) {
+        for (int i = 0; i < kCircleCorners; ++i)
+            corners_m.emplace_back(
+                m_centre_m + m_radius_m * (Eigen::Rotation2Dd(2.0 * std::numbers::pi * i / kCircleCorners) *
+                                           Vector2d::UnitX()));
+        return corners_m;
+    }
+    const Vector2d along(-m_wallNormal.y(), m_wallNormal.x());
+    for (const auto& [deep, wide] : {std::pair{0.0, 0.5}, {1.0, 0.5}, {1.0, -0.5}, {0.0, -0.5}})
+        corners_m.emplace_back(m_centre_m - deep * kWallThickness_m * m_wallNormal +
+                               wide * kWallShown_m * along);
+    return corners_m;
+}
+
 OutlineDistance OutlineGeometry::distance(const Vector2d& p_Base_Point_m) const {
     if (m_radius_m > 0.0) {
         const Vector2d out_m = p_Base_Point_m - m_centre_m;

@@ -27,6 +27,13 @@ public:
     [[nodiscard]] const Eigen::Vector2d& centre_m() const { return m_centre_m; }
     /// Of the farthest point of the figure from the centre; infinite for a wall.
     [[nodiscard]] double reach_m() const { return m_reach_m; }
+    /// The outline as a polygon, for pictures: of a circle with kCircleCorners corners, of a wall a strip
+    /// behind its surface, kWallShown_m long.
+    [[nodiscard]] std::vector<Eigen::Vector2d> drawnCorners_m() const;
+    static constexpr int kCircleCorners = 48;
+    static constexpr double kWallShown_m = 0.3;
+    static constexpr double kWallThickness_m = 0.02;
+
     /// Corners of a polygon, counter-clockwise; empty for the others.
     [[nodiscard]] const std::vector<Eigen::Vector2d>& corners_m() const { return m_corners_m; }
 

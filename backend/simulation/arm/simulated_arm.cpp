@@ -62,6 +62,16 @@ core::ArmDescription describeArm(const scene::Scene& scene) {
     description.highest_rad = body.highest_rad;
     description.fastest_radPerS = body.fastest_radPerS;
     description.hasProgram = true;
+    // An object whose place is to be found is not shown.
+    if (scene.arm().unknown.spread_m > 0.0)
+        return description;
+    for (const scene::ArmObject& object : scene.arm().objects) {
+        core::WorldObject& told = description.objects.emplace_back();
+        told.name = object.name;
+        told.z_m = object.z_m;
+        for (const Eigen::Vector2d& corner : OutlineGeometry(object).drawnCorners_m())
+            told.outline_m.push_back({corner.x(), corner.y()});
+    }
     return description;
 }
 
@@ -186,6 +196,13 @@ void SimulatedArm::updatePresence() {
         m_truth.present[i] = !only || *only == i;
         m_arm.setPresent(i, m_truth.present[i]);
     }
+}
+
+std::uint64_t SimulatedArm::presentObjects() const {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(m_truth.present.size(), 64); ++i)
+        bits |= static_cast<std::uint64_t>(m_truth.present[i]) << i;
+    return bits;
 }
 
 void SimulatedArm::updateTruth() {

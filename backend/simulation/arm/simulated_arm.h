@@ -75,6 +75,7 @@ public:
     [[nodiscard]] double time_s() const override;
     [[nodiscard]] bool programDone() const override { return m_program->done(); }
     void restart() override;
+    [[nodiscard]] std::uint64_t presentObjects() const override;
 
     [[nodiscard]] const ArmTruth& truth() const { return m_truth; }
     [[nodiscard]] const std::vector<ArmObjectTruth>& objects() const { return m_objects; }

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] double time_s() const override { return m_arm->time_s(); }
     [[nodiscard]] bool programDone() const override { return m_operator.done(); }
     void restart() override;
+    [[nodiscard]] std::uint64_t presentObjects() const override { return m_arm->presentObjects(); }
 
     [[nodiscard]] bool isRemote() const override { return true; }
     bool takeArrival(core::ArmArrival& arrival) override;

@@ -11,6 +11,7 @@ name = "lab"
 console = "console1"
 person = "A. Name"
 viewer = true
+mesh_path = "meshes"
 [operator]
 domain = 72
 interface = "wg0"
@@ -31,6 +32,7 @@ TEST(RemoteSiteFile, hasAllKeysOfTheSpecification) {
     EXPECT_EQ(file->console, "console1");
     EXPECT_EQ(file->person, "A. Name");
     EXPECT_TRUE(file->viewer);
+    EXPECT_EQ(file->meshPath, "/files/meshes");
     EXPECT_EQ(file->meeting.domain, (dds::DomainConfig{72, "wg0", {"10.8.0.1"}}));
     ASSERT_TRUE(file->meeting.security);
     EXPECT_EQ(file->meeting.security->folder, "/files/keys/console1");

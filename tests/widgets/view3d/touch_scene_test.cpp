@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 
 using namespace teleta;
@@ -185,6 +186,52 @@ TEST(TouchScene, objectsThatWereFoundBeforeAreDrawnAndCovered) {
     scene.setObjects({});
     EXPECT_TRUE(scene.isEmpty());
     EXPECT_TRUE(scene.worldMeshes().empty());
+}
+
+TEST(TouchScene, aRobotTakesThePlaceOfTheTubes) {
+    TouchScene scene = makeScene();
+    view3d::ArmLink link;
+    link.length_m = 0.3;
+    link.radius_m = 0.03;
+    scene.setArmLinks(std::vector{link});
+    const auto tubes = scene.worldMeshes().size();
+    auto shape = std::make_shared<view3d::RobotShape>();
+    shape->links = {view3d::boxMesh({0.2, 0.2, 0.2}), {}, view3d::boxMesh({0.1, 0.1, 0.1})};
+    scene.setRobot(shape);
+    // Nobody said where its links are.
+    EXPECT_FALSE(scene.robot().isShown());
+    EXPECT_EQ(scene.worldMeshes().size(), tubes);
+
+    std::vector<Eigen::Isometry3d> poses(3, Eigen::Isometry3d::Identity());
+    poses[2].translation() = Eigen::Vector3d(1.0, 0.0, 0.0);
+    scene.setRobotPoses(poses, {});
+    ASSERT_TRUE(scene.robot().isShown());
+    EXPECT_FALSE(scene.robot().ghostShown());
+    EXPECT_LT((scene.armBox_m().max() - Eigen::Vector3d(1.05, 0.1, 0.1)).norm(), 1e-6);
+    EXPECT_LT((scene.armBox_m().min() - Eigen::Vector3d(-0.1, -0.1, -0.1)).norm(), 1e-6);
+    // The two links that have a shape, where they are; the tubes are gone.
+    const auto meshes = scene.worldMeshes();
+    ASSERT_EQ(meshes.size(), 2U);
+    EXPECT_NEAR(meshes[1]->GetBounds()[0], 0.95, 1e-6);
+
+    std::vector<Eigen::Isometry3d> commanded = poses;
+    commanded[2].translation() = Eigen::Vector3d(0.0, 2.0, 0.0);
+    scene.setRobotPoses(poses, commanded);
+    EXPECT_TRUE(scene.robot().ghostShown());
+    EXPECT_LT(scene.armBox_m().max().y(), 0.2) << "the view is not fitted to a ghost";
+    EXPECT_EQ(scene.worldMeshes().size(), 2U) << "a ghost is not data";
+
+    // Poses that cannot be drawn.
+    commanded.pop_back();
+    scene.setRobotPoses(poses, commanded);
+    EXPECT_TRUE(scene.robot().isShown());
+    EXPECT_FALSE(scene.robot().ghostShown());
+    poses[0].translation().x() = std::numeric_limits<double>::quiet_NaN();
+    scene.setRobotPoses(poses, {});
+    EXPECT_FALSE(scene.robot().isShown());
+    EXPECT_EQ(scene.worldMeshes().size(), tubes);
+    scene.setRobot(nullptr);
+    EXPECT_EQ(scene.worldMeshes().size(), tubes);
 }
 
 TEST(TouchScene, theArmStandsOnABaseWhereThereIsGroundBelowIt) {

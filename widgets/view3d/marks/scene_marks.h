@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/view3d/marks/limit_part.h"
+#include "widgets/view3d/marks/scenery_part.h"
 #include "widgets/view3d/marks/trail_part.h"
 #include "widgets/view3d/marks/wrench_part.h"
 
@@ -18,6 +19,7 @@ public:
         trail.addTo(scene.renderer());
         limits.addTo(scene.renderer());
         wrench.addTo(scene.renderer());
+        scenery.addTo(scene.renderer());
         applyColours(scene.colours());
     }
     ~SceneMarks() { m_scene.renderer()->RemoveObserver(m_onRender); }
@@ -28,15 +30,18 @@ public:
         trail.applyColours(colours);
         limits.applyColours(colours);
         wrench.applyColours(colours);
+        scenery.applyColours(colours);
     }
     void applyPixelScale(double scale) {
         trail.applyPixelScale(scale);
         limits.applyPixelScale(scale);
+        scenery.applyPixelScale(scale);
     }
 
     TrailPart trail;
     LimitPart limits;
     WrenchPart wrench;
+    SceneryPart scenery;
 
 private:
     /// The arrows lie in the world: they move with what they act on.

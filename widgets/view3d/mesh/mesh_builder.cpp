@@ -96,6 +96,17 @@ void MeshBuilder::sphere(const Eigen::Vector3d& centre, double radius, QRgb colo
     }
 }
 
+void MeshBuilder::triangles(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3f> normals,
+                            std::span<const QRgb> colours, std::span<const std::uint32_t> corners,
+                            QRgb otherwise) {
+    const vtkIdType first = m_points->GetNumberOfPoints();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        point(points[i].cast<double>(), normals[i].cast<double>(),
+              qAlpha(colours[i]) == 0 ? otherwise : colours[i]);
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+        m_polys->InsertNextCell({first + corners[i], first + corners[i + 1], first + corners[i + 2]});
+}
+
 void MeshBuilder::disc(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius,
                        QRgb colour) {
     const Eigen::Vector3d u = normal.unitOrthogonal();

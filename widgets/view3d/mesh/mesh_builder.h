@@ -11,6 +11,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cstdint>
 #include <span>
 
 namespace teleta::view3d {
@@ -44,6 +45,10 @@ public:
     /// Four corners in order, with one normal.
     void quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
               const Eigen::Vector3d& d, QRgb colour);
+    /// Points with their normals and colours, and the indices of three points a triangle. otherwise: instead
+    /// of a colour with alpha 0.
+    void triangles(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3f> normals,
+                   std::span<const QRgb> colours, std::span<const std::uint32_t> corners, QRgb otherwise);
     void segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, QRgb colour);
     /// Two ends of their own colours, blended along the way.
     void segment(const Eigen::Vector3d& a, QRgb colourOfA, const Eigen::Vector3d& b, QRgb colourOfB);

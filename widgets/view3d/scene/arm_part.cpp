@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace teleta::view3d {
 
@@ -51,6 +52,11 @@ void ArmPart::set(std::span<const ArmLink> links) {
     rebuild();
 }
 
+void ArmPart::setShellsShown(bool shown) {
+    if (std::exchange(m_shellsShown, shown) != shown)
+        rebuild();
+}
+
 void ArmPart::setGround(double z_m) {
     const bool isSame = z_m == m_ground_m || (std::isnan(z_m) && std::isnan(m_ground_m));
     m_ground_m = z_m;
@@ -70,11 +76,12 @@ void ArmPart::rebuild() {
             m_box_m.extend(end - around);
             m_box_m.extend(end + around);
         }
-        drawLink(from, to, link.radius_m);
+        if (m_shellsShown)
+            drawLink(from, to, link.radius_m);
         if (std::isfinite(m_ground_m))
             drawShadow(from, to, link.radius_m);
     }
-    if (!m_links.empty() && std::isfinite(m_ground_m))
+    if (m_shellsShown && !m_links.empty() && std::isfinite(m_ground_m))
         drawBase(m_links.front().X_World_Link.translation(), m_links.front().radius_m);
     m_solids.finish();
     m_shadow.finish();

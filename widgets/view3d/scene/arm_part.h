@@ -24,6 +24,8 @@ public:
     void applyColours(const SceneColours& colours);
 
     void set(std::span<const ArmLink> links);
+    /// Whether the arm itself is drawn, or its shadow alone, where something else draws the arm.
+    void setShellsShown(bool shown);
     /// Height of the ground, m; NaN: there is none, and neither base nor shadow.
     void setGround(double z_m);
     /// Of the links alone.
@@ -37,6 +39,7 @@ private:
     void drawShadow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m);
 
     std::vector<ArmLink> m_links;
+    bool m_shellsShown = true;
     double m_ground_m = std::numeric_limits<double>::quiet_NaN();
     Eigen::AlignedBox3d m_box_m;
     SceneColours m_colours;

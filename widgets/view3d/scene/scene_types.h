@@ -18,6 +18,15 @@ struct DrawnObject {
     std::vector<Eigen::Vector3d> curve_m; ///< through the points; fewer than two: not drawn
 };
 
+/// Something upright in a simulated world: its outline in a plane z = z_m of the world.
+struct SceneryItem {
+    QString name;
+    std::vector<Eigen::Vector2d> outline_m; ///< corners of a closed line, in order
+    double z_m = 0.0;
+
+    bool operator==(const SceneryItem&) const = default;
+};
+
 /// One link of the arm, drawn as a tube with a ball at its joint. It runs from the origin of its frame along
 /// its frame's x axis.
 struct ArmLink {

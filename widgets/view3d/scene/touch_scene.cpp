@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::view3d {
 
@@ -187,6 +188,20 @@ void TouchScene::setArmLinks(std::span<const ArmLink> links) {
     coverGround(false);
 }
 
+void TouchScene::setRobot(std::shared_ptr<const RobotShape> shape) {
+    m_robot.setShape(std::move(shape));
+    m_arm.setShellsShown(!m_robot.isShown());
+    coverGround(false);
+}
+
+void TouchScene::setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
+                               std::span<const Eigen::Isometry3d> commanded) {
+    m_robot.setPoses(X_World_Link);
+    m_robot.setGhost(commanded);
+    m_arm.setShellsShown(!m_robot.isShown());
+    coverGround(false);
+}
+
 bool TouchScene::setTube(const pipeline::CameraSnapshot* snapshot) {
     const bool was = m_tube.isShown();
     bool other = was;
@@ -215,6 +230,7 @@ void TouchScene::applyColours(const SceneColours& colours) {
     m_contour.applyColours(colours);
     m_objects.applyColours(colours);
     m_arm.applyColours(colours);
+    m_robot.applyColours(colours);
     m_tube.applyColours(colours);
     m_bodyStale = m_bodyStale || m_hasSensor;
 }
@@ -253,7 +269,7 @@ std::vector<Eigen::Vector3d> TouchScene::corners() const {
     }
     add(m_contour.box_m(), Eigen::Isometry3d::Identity());
     add(m_objects.box_m(), Eigen::Isometry3d::Identity());
-    add(m_arm.box_m(), Eigen::Isometry3d::Identity());
+    add(armBox_m(), Eigen::Isometry3d::Identity());
     add(m_tube.box_m(), Eigen::Isometry3d::Identity());
     if (corners.empty()) {
         const Eigen::Vector3d half = Eigen::Vector3d::Constant(kEmptySceneHalf_m);
@@ -300,6 +316,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> TouchScene::worldMeshes() const {
     m_arm.appendMeshes(meshes);
     const vtkNew<vtkMatrix4x4> identity;
     add(meshes, identity);
+    m_robot.forEachMesh([&](vtkPolyData* mesh, vtkMatrix4x4* pose) { add({mesh}, pose); });
     return copies;
 }
 

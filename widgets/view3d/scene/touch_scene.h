@@ -8,6 +8,7 @@
 #include "widgets/view3d/scene/contour_part.h"
 #include "widgets/view3d/scene/frame_part.h"
 #include "widgets/view3d/scene/objects_part.h"
+#include "widgets/view3d/scene/robot_part.h"
 #include "widgets/view3d/scene/scene_colours.h"
 #include "widgets/view3d/scene/sensor_part.h"
 #include "widgets/view3d/scene/tube_part.h"
@@ -16,6 +17,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -49,7 +51,14 @@ public:
                     std::span<const Eigen::Vector3d> vertices_m);
     /// The objects that were found before.
     void setObjects(std::span<const DrawnObject> objects);
+    /// Drawn unless a robot is.
     void setArmLinks(std::span<const ArmLink> links);
+    /// What the arm's links look like; null: nobody says, and tubes are drawn between its joints.
+    void setRobot(std::shared_ptr<const RobotShape> shape);
+    /// Where its links are, and where they are told to be (empty: there).
+    void setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
+                       std::span<const Eigen::Isometry3d> commanded);
+    [[nodiscard]] const RobotPart& robot() const { return m_robot; }
     void setGridShown(bool shown) { m_ground.setVisible(shown); }
     void setAxesShown(bool shown);
     void setDisplacementShown(bool shown) {
@@ -90,7 +99,9 @@ public:
     [[nodiscard]] double gridSpacing_m() const { return m_ground.spacing_m(); }
     [[nodiscard]] const Eigen::AlignedBox3d& contourBox_m() const { return m_contour.box_m(); }
     [[nodiscard]] const ObjectsPart& objects() const { return m_objects; }
-    [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const { return m_arm.box_m(); }
+    [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const {
+        return m_robot.isShown() ? m_robot.box_m() : m_arm.box_m();
+    }
     [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
     [[nodiscard]] bool isEmpty() const {
         return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty() &&
@@ -133,6 +144,7 @@ private:
     ContourPart m_contour;
     ObjectsPart m_objects;
     ArmPart m_arm;
+    RobotPart m_robot{m_renderer};
     TubePart m_tube;
 };
 

@@ -15,6 +15,7 @@
 #include <QDataStream>
 #include <QIODevice>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <algorithm>
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
     [[nodiscard]] std::string hindrance() const override { return inTheWay; }
+
+    void setUnguarded() { m_description.guarded = false; }
 
     std::string inTheWay;
 
@@ -133,6 +136,71 @@ private slots:
         QVERIFY((moved - tip).norm() > 0.1);
         QVERIFY(desk.scene->armBox_m().contains(moved));
         QVERIFY(!desk.scene->armBox_m().contains(tip));
+    }
+
+    void theLinksAreDrawnAsTheirDescriptionHasThem() {
+        Desk desk;
+        const JointVector q = JointVector::zeros(7);
+        // The foot of this arm has a radius of 80 mm, and everything above it is thinner.
+        QTRY_VERIFY((desk.tell(q), std::abs(desk.scene->armBox_m().min().x() + 0.08) < 1e-4));
+        QVERIFY(std::abs(desk.scene->armBox_m().max().y() - 0.08) < 1e-4);
+        // Another source is not drawn as this one.
+        desk.views.setArm(nullptr, base::Provenance::live);
+        QVERIFY(desk.scene->armBox_m().isEmpty());
+    }
+
+    void aMeshThatIsMissingIsNamedAndTubesAreDrawn() {
+        Desk desk;
+        const auto model = arm_model::parseUrdf(
+            "<robot name=\"r\"><link name=\"base_link\"/><link name=\"tool0\"><visual><geometry>"
+            "<mesh filename=\"package://r/none.stl\"/></geometry></visual></link><joint name=\"j\" "
+            "type=\"revolute\"><parent link=\"base_link\"/><child link=\"tool0\"/><origin xyz=\"0.5 0 0\"/>"
+            "<axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>"
+            "</robot>",
+            "r.urdf");
+        QVERIFY(model);
+        auto made = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                   "base_link", "tool0");
+        QVERIFY(made);
+        const auto chain = std::make_shared<const arm_model::SerialChain>(std::move(*made));
+        auto* arm = new BareArm(*chain);
+        const auto channel = std::make_shared<pipeline::JointChannel>(std::unique_ptr<core::ArmSource>(arm),
+                                                                      chain, "/nowhere");
+        QSignalSpy failed(&desk.views, &console::ArmViews::meshesFailed);
+        desk.views.setArm(channel, base::Provenance::live);
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed.front().front().toString().contains("/nowhere/r/none.stl"));
+        core::JointSample sample;
+        sample.angle_rad = sample.reference_rad = JointVector::zeros(1);
+        (void)arm->push(sample);
+        (void)channel->process();
+        desk.views.tick();
+        QVERIFY(desk.scene->armBox_m().contains(Eigen::Vector3d(0.5, 0.0, 0.0)));
+    }
+
+    void anArmThatNothingStopsSaysSo() {
+        Desk desk;
+        const auto text = [&] {
+            QString all;
+            for (const QLabel* label : desk.jog->findChildren<QLabel*>())
+                all += label->text() + QLatin1Char('\n');
+            return all;
+        };
+        desk.tell(JointVector::zeros(7));
+        QVERIFY(!text().contains("UNGUARDED"));
+        auto* arm = new BareArm(*desk.chain);
+        arm->setUnguarded();
+        const auto channel =
+            std::make_shared<pipeline::JointChannel>(std::unique_ptr<core::ArmSource>(arm), desk.chain);
+        QVERIFY(!channel->summary().guarded);
+        desk.views.setArm(channel, base::Provenance::unguarded);
+        core::JointSample sample;
+        sample.time_ns = core::steadyNow_ns();
+        sample.angle_rad = sample.reference_rad = JointVector::zeros(7);
+        (void)arm->push(sample);
+        (void)channel->process();
+        desk.views.tick();
+        QVERIFY(text().contains("UNGUARDED"));
     }
 
     void torquesThatNobodyTellsAreAGapAndTheAnglesAreShownInstead() {

@@ -42,6 +42,38 @@ bool same(const Log& a, const Log& b) {
 
 } // namespace
 
+TEST(SimulatedArm, tellsViewsWhatIsAroundIt) {
+    scene::Scene scene = shippedArm("teleta-touch.toml");
+    const auto arm = made(scene);
+    const core::ArmDescription description = arm->description();
+    ASSERT_EQ(description.objects.size(), scene.arm().objects.size());
+    for (std::size_t i = 0; i < description.objects.size(); ++i) {
+        EXPECT_EQ(description.objects[i].name, scene.arm().objects[i].name);
+        ASSERT_GE(description.objects[i].outline_m.size(), 3U);
+        for (const auto& [x_m, y_m] : description.objects[i].outline_m) {
+            // A strip stands for a wall without end; its other corners are inside of it.
+            if (!std::holds_alternative<scene::WallOutline>(scene.arm().objects[i].outline))
+                EXPECT_NEAR(arm->outlineDistance_m(i, {x_m, y_m}), 0.0, 1e-9);
+            else
+                EXPECT_LE(arm->outlineDistance_m(i, {x_m, y_m}), 1e-9);
+        }
+    }
+    // One after the other.
+    std::vector<std::uint64_t> seen;
+    while (!arm->programDone() && arm->time_s() < scene.duration_s) {
+        core::JointSample sample;
+        arm->next(kProgram, sample);
+        if (seen.empty() || seen.back() != arm->presentObjects())
+            seen.push_back(arm->presentObjects());
+    }
+    ASSERT_EQ(seen.size(), description.objects.size());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        EXPECT_EQ(seen[i], std::uint64_t{1} << i);
+    // What is to be found is not given away.
+    scene.arm().unknown.spread_m = 0.01;
+    EXPECT_TRUE(made(scene)->description().objects.empty());
+}
+
 TEST(SimulatedArm, measuresSpringsInSeriesInASlowTouch) {
     // Compliances of springs in series add: 1/k_i = 1/k_o + 1/k_ri (TeleTA, eq. (5)).
     for (const double stiffness_NPerM : {1325.9, 7223.9, 8562.9, 1e9}) {

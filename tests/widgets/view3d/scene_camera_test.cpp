@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene_camera.h"
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace teleta::view3d {
+namespace {
+
+using Corners = std::vector<Eigen::Vector3d>;
+
+/// A stick that hangs from 1 m and points down or aside, as the forearm of an arm.
+Corners stick(double angle_rad) {
+    const Eigen::Vector3d top(0.0, 0.0, 1.0);
+    return {
+        {0.0, 0.0, 0.0}, top, top + 0.6 * Eigen::Vector3d(std::sin(angle_rad), 0.0, -std::cos(angle_rad))};
+}
+
+/// The farthest corner from the middle of the picture; 1 is its rim.
+double farthest(vtkRenderer* renderer, const Corners& corners) {
+    vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0);
+    double most = 0.0;
+    for (const Eigen::Vector3d& corner : corners) {
+        const double world[4] = {corner.x(), corner.y(), corner.z(), 1.0};
+        double view[4];
+        matrix->MultiplyPoint(world, view);
+        most = std::max({most, std::abs(view[0] / view[3]), std::abs(view[1] / view[3])});
+    }
+    return most;
+}
+
+} // namespace
+
+TEST(SceneCamera, whatMovesStaysInThePicture) {
+    for (const bool parallel : {false, true}) {
+        const vtkNew<vtkRenderer> renderer;
+        SceneCamera camera(renderer);
+        camera.setParallel(parallel);
+        camera.setScene(stick(0.0), true);
+        EXPECT_LT(farthest(renderer, stick(0.0)), 0.9);
+        const double before_m = camera.visibleHeight_m();
+        for (double angle_rad = 0.0; angle_rad < 6.2; angle_rad += 0.05) {
+            camera.setScene(stick(angle_rad), false);
+            EXPECT_LE(farthest(renderer, stick(angle_rad)), 0.98) << angle_rad << parallel;
+        }
+        const double after_m = camera.visibleHeight_m();
+        EXPECT_GT(after_m, before_m);
+        // It does not come back, and does not go on.
+        for (double angle_rad = 0.0; angle_rad < 6.2; angle_rad += 0.05)
+            camera.setScene(stick(angle_rad), false);
+        EXPECT_EQ(camera.visibleHeight_m(), after_m);
+        camera.setScene(stick(0.0), true);
+        EXPECT_NEAR(camera.visibleHeight_m(), before_m, 1e-9);
+    }
+}
+
+TEST(SceneCamera, thePersonsOwnViewIsLeftAlone) {
+    const vtkNew<vtkRenderer> renderer;
+    SceneCamera camera(renderer);
+    camera.setScene(stick(0.0), true);
+    camera.zoom(3.0);
+    const double height_m = camera.visibleHeight_m();
+    camera.setScene(stick(2.0), false);
+    camera.setScene(stick(3.0), true);
+    EXPECT_EQ(camera.visibleHeight_m(), height_m);
+}
+
+} // namespace teleta::view3d
