@@ -35,9 +35,10 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     site_link::SiteArm arm;
     arm.name = id;
     arm.source = &channel.device();
+    arm.guarded = channel.description().guarded;
     arm.chain = channel.chain();
     if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {
-        arm.adapter = ros->file().adapter == ros_arm::Adapter::moveitServo ? "moveit_servo" : "trajectory";
+        arm.adapter = ros_arm::nameOf(ros->file().adapter);
         arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
                          : ros->file().effortUnit == ros_arm::EffortUnit::ampere    ? "A"
                                                                                     : "none";

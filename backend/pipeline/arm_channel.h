@@ -64,7 +64,11 @@ public:
                const ArmSettings& settings = {});
     ~ArmChannel() override;
 
-    [[nodiscard]] ChannelSummary summary() const override { return m_skin->summary(); }
+    [[nodiscard]] ChannelSummary summary() const override {
+        ChannelSummary summary = m_skin->summary();
+        summary.guarded = description().guarded;
+        return summary;
+    }
     [[nodiscard]] core::DeviceStatus status() const override { return m_skin->status(); }
     [[nodiscard]] std::uint64_t framesProcessed() const override { return m_skin->framesProcessed(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return m_skin->playback(); }

@@ -33,6 +33,7 @@ struct ChannelSummary {
     double nominalRate_Hz = 0.0;
     bool simulated = false;
     bool recorded = false;
+    bool guarded = true; ///< see core::ArmDescription::guarded
 };
 
 /// One open source in the running system: an array, an arm with its skin, or a camera. What runs, records or

@@ -209,6 +209,13 @@ std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends, s
     return topics;
 }
 
+void findGuard(Findings& findings, const RosArmFile& file) {
+    if (!isGuarded(file.adapter))
+        findings.note("guard", ArmCheckText::tr("UNGUARDED: %1 keeps its last command when this program ends "
+                                                "or the network is cut")
+                                   .arg(asText(file.controller)));
+}
+
 void findController(Findings& findings, const RosArmFile& file, const std::vector<dds::FoundEnd>& ends) {
     const QString topic = asText(file.commandTopic());
     const std::string ddsTopic = ros::ddsTopicOf(file.commandTopic());
@@ -318,6 +325,7 @@ std::vector<ArmFinding> findingsOf(const RosArmFile& file, const arm_model::Seri
     findForce(findings, file, seen);
     findClock(findings, seen);
     findController(findings, file, seen.ends);
+    findGuard(findings, file);
     for (const QString& obstacle : obstacles(file, chain))
         findings.problem("file", obstacle);
     return findings.take();

@@ -3,8 +3,12 @@
 
 #include "backend/ros/topic_names.h"
 #include "devices/ros/trajectory_message.h"
+#include "devices/ros/trajectory_mover.h"
 #include "devices/ros/wall_clock.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -67,6 +71,66 @@ private:
     ros::JointJog m_message{};
 };
 
+/// Numbers for a controller that hands them on to the joints and keeps the last ones for ever: rates, or
+/// positions. In a pause the rates fall to zero as with STOP, blindly, and zeros are sent as long as it
+/// lasts; positions end where that braking ends, which is where the controller then stays by itself.
+class ForwardCommander : public ArmCommander {
+public:
+    ForwardCommander(dds::Writer<ros::Float64MultiArray> writer, const RosArmFile& file)
+        : m_writer(std::move(writer))
+        , m_sendsRates(file.adapter == Adapter::velocity)
+        , m_deceleration(file.limits.stopDeceleration_radPerS2) {}
+
+    [[nodiscard]] bool send(const MotionCommand& command) override {
+        m_position = command.commanded;
+        m_rate = command.rate;
+        m_after = 0;
+        return write();
+    }
+
+    [[nodiscard]] bool pause(double dt_s, bool alone) override {
+        if (m_rate.empty())
+            return true; // nothing was ever commanded
+        if (isAtRest()) {
+            // Whoever else commands the arm is not to be disturbed for ever.
+            const bool ends = !m_sendsRates || !alone;
+            if (ends && m_after >= kRepeats)
+                return true;
+            m_after = std::min(m_after + 1, kRepeats);
+        }
+        for (std::size_t i = 0; i < m_rate.size(); ++i) {
+            const double fall = std::min(m_deceleration * dt_s, std::abs(m_rate[i]));
+            const double before = m_rate[i];
+            m_rate[i] -= std::copysign(fall, before);
+            m_position[i] += 0.5 * (before + m_rate[i]) * dt_s;
+        }
+        return write();
+    }
+
+    [[nodiscard]] bool isAtRest() const override {
+        return std::ranges::all_of(m_rate, [](double rate) { return rate == 0.0; });
+    }
+    [[nodiscard]] const dds::AnyWriter& writer() const override { return m_writer; }
+
+private:
+    /// Of the last command, should one be lost.
+    static constexpr int kRepeats = 20;
+
+    bool write() {
+        core::JointVector& values = m_sendsRates ? m_rate : m_position;
+        ros::lend(m_message.data, std::span(values.data(), values.size()));
+        return m_writer.write(m_message);
+    }
+
+    dds::Writer<ros::Float64MultiArray> m_writer;
+    bool m_sendsRates;
+    double m_deceleration; ///< rad/s2 or m/s2
+    core::JointVector m_position;
+    core::JointVector m_rate; ///< empty: nothing was commanded yet
+    int m_after = 0;          ///< commands since the arm is at rest
+    ros::Float64MultiArray m_message{};
+};
+
 template <typename Commander, typename Message>
 core::Expected<std::unique_ptr<ArmCommander>>
 openAs(const std::shared_ptr<const dds::Participant>& participant, const RosArmFile& file,
@@ -83,16 +147,40 @@ ArmCommander::open(const std::shared_ptr<const dds::Participant>& participant, c
                    std::vector<std::string> names) {
     if (file.adapter == Adapter::moveitServo)
         return openAs<ServoCommander, ros::JointJog>(participant, file, std::move(names));
-    return openAs<TrajectoryCommander, ros::JointTrajectory>(participant, file, std::move(names));
+    if (file.adapter == Adapter::trajectory)
+        return openAs<TrajectoryCommander, ros::JointTrajectory>(participant, file, std::move(names));
+    TELETA_TRY(auto writer, dds::Writer<ros::Float64MultiArray>::open(
+                                participant, ros::ddsTopicOf(file.commandTopic()), ros::kCommandWriter));
+    return std::make_unique<ForwardCommander>(std::move(writer), file);
 }
 
 std::string_view commandTypeOf(Adapter adapter) {
-    return adapter == Adapter::moveitServo ? "control_msgs/msg/JointJog"
-                                           : "trajectory_msgs/msg/JointTrajectory";
+    switch (adapter) {
+    case Adapter::trajectory:
+        return "trajectory_msgs/msg/JointTrajectory";
+    case Adapter::moveitServo:
+        return "control_msgs/msg/JointJog";
+    case Adapter::velocity:
+    case Adapter::position:
+        break;
+    }
+    return "std_msgs/msg/Float64MultiArray";
 }
 
-double reactionOf_s(Adapter adapter) {
-    return adapter == Adapter::moveitServo ? kServoTimeout_s : arm_model::kFirstPoint_s;
+AdapterTiming timingOf(Adapter adapter) {
+    constexpr std::int64_t kPeriod_ns = 20'000'000;
+    constexpr std::int64_t kForwardPeriod_ns = 10'000'000;
+    switch (adapter) {
+    case Adapter::trajectory:
+        return {kPeriod_ns, arm_model::kFirstPoint_s};
+    case Adapter::moveitServo:
+        return {kPeriod_ns, kServoTimeout_s};
+    case Adapter::velocity:
+    case Adapter::position:
+        break;
+    }
+    // What comes later than the latest step brings the arm to rest.
+    return {kForwardPeriod_ns, 1e-9 * static_cast<double>(TrajectoryMover::kLatestStep_ns)};
 }
 
 } // namespace teleta::ros_arm

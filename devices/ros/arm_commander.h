@@ -9,6 +9,7 @@
 #include "devices/ros/files/ros_arm_file.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,7 +20,8 @@ namespace teleta::ros_arm {
 /// A command as the mover makes it: where the arm goes and how it comes to rest, and how fast it is now.
 struct MotionCommand {
     std::array<arm_model::TrajectoryPoint, 2> points;
-    core::JointVector rate; ///< rad/s or m/s
+    core::JointVector commanded; ///< q_c, rad or m
+    core::JointVector rate;      ///< with which q_c moves, rad/s or m/s
 };
 
 /// Sends an arm's commands in the way of its file's adapter. Thread: one.
@@ -33,13 +35,24 @@ public:
 
     /// False: not sent in time.
     [[nodiscard]] virtual bool send(const MotionCommand& command) = 0;
+    /// Instead of send(), when there is no motion to be commanded for whatever reason: brings an arm to rest
+    /// that nothing at the robot stops, and keeps it there. alone: nobody else commands it. False: not sent
+    /// in time.
+    [[nodiscard]] virtual bool pause(double /*dt_s*/, bool /*alone*/) { return true; }
+    /// After the last command the arm comes to rest, or stands, without a further call.
+    [[nodiscard]] virtual bool isAtRest() const { return true; }
     [[nodiscard]] virtual const dds::AnyWriter& writer() const = 0;
 };
 
 /// The type of an adapter's commands: "trajectory_msgs/msg/JointTrajectory".
 [[nodiscard]] std::string_view commandTypeOf(Adapter adapter);
 
-/// How long an arm goes on at the same rate when no further command comes, before it brakes.
-[[nodiscard]] double reactionOf_s(Adapter adapter);
+/// How an adapter's commands are timed.
+struct AdapterTiming {
+    std::int64_t period_ns = 0; ///< of the commands while the arm moves
+    /// How long an arm goes on at the same rate when no further command comes, before it brakes.
+    double reaction_s = 0.0;
+};
+[[nodiscard]] AdapterTiming timingOf(Adapter adapter);
 
 } // namespace teleta::ros_arm

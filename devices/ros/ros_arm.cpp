@@ -12,6 +12,8 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace teleta::ros_arm {
@@ -28,6 +30,8 @@ constexpr std::size_t kQueueSamples = 4096;
 constexpr std::size_t kBatchSamples = 64;
 /// At 1 kHz a thread that sleeps for some ms must not lose samples.
 constexpr int kReaderDepth = 64;
+/// For an arm to come to rest when it is closed.
+constexpr std::int64_t kLongestRest_ns = 1'000'000'000;
 /// Between looks for other programs.
 constexpr std::int64_t kLook_ns = 100'000'000;
 
@@ -43,6 +47,7 @@ core::ArmDescription describeArm(const RosArmFile& file, const arm_model::Serial
     arm.lowest_rad = chain.lowest();
     arm.highest_rad = chain.highest();
     arm.fastest_radPerS = chain.fastest();
+    arm.guarded = isGuarded(file.adapter);
     for (double& fastest : arm.fastest_radPerS)
         fastest *= file.limits.speedScale;
     return arm;
@@ -96,7 +101,8 @@ RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> ch
     , m_stop(stop)
     , m_required(std::move(required))
     , m_outlet(kQueueSamples, kBatchSamples)
-    , m_mover(m_chain, m_file.limits, reactionOf_s(m_file.adapter))
+    , m_timing(timingOf(m_file.adapter))
+    , m_mover(m_chain, m_file.limits, m_timing.period_ns, m_timing.reaction_s)
     , m_watch(std::move(names), m_file.jointStates, m_file.jointTimeout_s)
     , m_waitSet(m_ends.participant) {
     m_waitSet.attach(m_ends.reader);
@@ -116,7 +122,7 @@ void RosArm::open(core::Wakeup& consumer) {
 
 void RosArm::run(const std::stop_token& stop) {
     (void)core::makeThreadUrgent();
-    std::int64_t next_ns = m_opened_ns + TrajectoryMover::kPeriod_ns;
+    std::int64_t next_ns = m_opened_ns + m_timing.period_ns;
     while (!stop.stop_requested()) {
         m_waitSet.wait(next_ns - core::steadyNow_ns());
         takeJoints();
@@ -124,11 +130,23 @@ void RosArm::run(const std::stop_token& stop) {
         if (now_ns < next_ns)
             continue;
         step(now_ns);
-        next_ns = std::max(next_ns + TrajectoryMover::kPeriod_ns, now_ns + TrajectoryMover::kPeriod_ns / 2);
+        next_ns = std::max(next_ns + m_timing.period_ns, now_ns + m_timing.period_ns / 2);
     }
-    // The controller comes to rest by itself.
+    comeToRest();
     m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
     m_discontinuity = true;
+}
+
+/// A trajectory controller does it by itself.
+void RosArm::comeToRest() {
+    const std::int64_t end_ns = core::steadyNow_ns() + kLongestRest_ns;
+    do {
+        (void)m_ends.commander->pause(1e-9 * static_cast<double>(m_timing.period_ns), !m_otherWriter);
+        if (m_ends.commander->isAtRest())
+            break;
+        std::this_thread::sleep_for(std::chrono::nanoseconds(m_timing.period_ns));
+    } while (core::steadyNow_ns() < end_ns);
+    (void)m_ends.commander->pause(1.0, !m_otherWriter);
 }
 
 void RosArm::takeJoints() {
@@ -211,8 +229,11 @@ void RosArm::step(std::int64_t now_ns) {
         input.reading = arm_model::MotionReading{joints->position, torque, force_Base_N};
     std::string lacking = m_required ? m_required->firstMissing(m_file.required) : std::string();
     input.lacking = !lacking.empty();
-    if (const auto points = m_mover.step(input))
-        m_unsent += m_ends.commander->send({*points, m_mover.state().rate}) ? 0 : 1;
+    const auto points = m_mover.step(input);
+    const bool sent =
+        points ? m_ends.commander->send({*points, m_mover.state().commanded, m_mover.state().rate})
+               : m_ends.commander->pause(1e-9 * static_cast<double>(m_timing.period_ns), !m_otherWriter);
+    m_unsent += sent ? 0 : 1;
 
     RosArmState state;
     state.mover = m_mover.state();

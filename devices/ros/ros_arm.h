@@ -52,8 +52,8 @@ struct RosArmState {
     core::JointVector effort; ///< as told, in the unit of the file; empty: not told
 };
 
-/// An arm over ROS 2: joint samples from the topic of joint states, and motion through a trajectory
-/// controller.
+/// An arm over ROS 2: joint samples from the topic of joint states, and motion through the controller that
+/// its file names.
 ///   connecting -> live <-> stale; stop(): closed
 /// Torques are told where the file says that efforts are Nm, without the part of gravity. Who may move it and
 /// how far, see TrajectoryMover; what is in the way is in state(). Nothing is sent before the operator's
@@ -112,6 +112,7 @@ private:
     [[nodiscard]] core::JointVector torqueOf(const ros::JoinedJoints& joints) const;
     void step(std::int64_t now_ns);
     void lookAround(std::int64_t now_ns);
+    void comeToRest();
     [[nodiscard]] QString problemOf(const RosArmState& state) const;
 
     RosArmFile m_file;
@@ -121,6 +122,7 @@ private:
     const core::StopSwitch& m_stop;
     std::shared_ptr<const core::RequiredDevices> m_required; ///< null: the file requires none
     core::JointOutlet m_outlet;
+    AdapterTiming m_timing;
     TrajectoryMover m_mover;
     core::LatestCopy<RosArmState> m_state;
 

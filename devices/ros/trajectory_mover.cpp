@@ -18,8 +18,10 @@ bool moves(const core::JointVector& rate) {
 } // namespace
 
 TrajectoryMover::TrajectoryMover(std::shared_ptr<const arm_model::SerialChain> chain,
-                                 const arm_model::MotionLimits& limits, double reaction_s)
+                                 const arm_model::MotionLimits& limits, std::int64_t period_ns,
+                                 double reaction_s)
     : m_chain(std::move(chain))
+    , m_period_ns(period_ns)
     , m_governor(m_chain, limits, reaction_s) {
 }
 
@@ -82,7 +84,7 @@ bool TrajectoryMover::mayMove(const MoverInput& input, bool late) {
 }
 
 std::optional<std::array<arm_model::TrajectoryPoint, 2>> TrajectoryMover::step(const MoverInput& input) {
-    const std::int64_t since_ns = m_lastStep_ns == kNever_ns ? kPeriod_ns : input.now_ns - m_lastStep_ns;
+    const std::int64_t since_ns = m_lastStep_ns == kNever_ns ? m_period_ns : input.now_ns - m_lastStep_ns;
     m_lastStep_ns = input.now_ns;
     const bool engaged = std::exchange(m_engagements, input.engagements) != input.engagements;
     if (input.stopped || engaged || input.lacking)

@@ -40,8 +40,8 @@ struct MoverState {
 };
 
 /// Turns an operator's joint rates into commands for a trajectory controller, or into the rates in its
-/// state(), 50 a second while the arm moves and none while it stands. Each command ends at rest, so that the
-/// controller stops the arm by itself when no further one comes.
+/// state(), one a step while the arm moves and none while it stands. Each command ends at rest, so that a
+/// trajectory controller stops the arm by itself when no further one comes.
 ///   a rate other than 0   the dead-man switch is held; counts for ArmCommand::kJogLifetime_ns
 ///   a rate of 0           the switch was let go
 /// After the start, STOP, a fault, joints that are not known, a controller that is gone, a step that is late,
@@ -51,21 +51,21 @@ struct MoverState {
 /// known joints nothing more is sent. Thread: post() from any; the rest from one.
 class TrajectoryMover {
 public:
-    static constexpr std::int64_t kPeriod_ns = 20'000'000;
     static constexpr std::int64_t kLongestGap_ns = 500'000'000;
     /// After a step that is later, the arm has come to rest by itself.
     static constexpr std::int64_t kLatestStep_ns = 100'000'000;
     /// The commanded position is kept so long after a motion, in which the arm still comes to it.
     static constexpr std::int64_t kSettling_ns = 500'000'000;
 
-    /// reaction_s: how long the arm goes on before it brakes when no further command comes.
+    /// period_ns: between steps. reaction_s: how long the arm goes on before it brakes when no further
+    /// command comes.
     TrajectoryMover(std::shared_ptr<const arm_model::SerialChain> chain,
-                    const arm_model::MotionLimits& limits, double reaction_s = arm_model::kFirstPoint_s);
+                    const arm_model::MotionLimits& limits, std::int64_t period_ns, double reaction_s);
 
     /// The latest command wins; one of the future counts as given now.
     void post(core::ArmCommand command, std::int64_t now_ns);
 
-    /// One step, every kPeriod_ns. What is to be sent; nothing: send nothing.
+    /// One step, every period. What is to be sent; nothing: send nothing.
     [[nodiscard]] std::optional<std::array<arm_model::TrajectoryPoint, 2>> step(const MoverInput& input);
 
     [[nodiscard]] const MoverState& state() const { return m_state; }
@@ -82,6 +82,7 @@ private:
     [[nodiscard]] std::array<arm_model::TrajectoryPoint, 2> points(bool stopped) const;
 
     std::shared_ptr<const arm_model::SerialChain> m_chain;
+    std::int64_t m_period_ns;
     arm_model::MotionGovernor m_governor;
     core::Mailbox<core::ArmCommand> m_commands;
     std::atomic<std::int64_t> m_released_ns{kNever_ns}; ///< when the switch was last let go

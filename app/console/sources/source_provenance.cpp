@@ -9,7 +9,9 @@ base::Provenance provenanceOf(const SourceManager::Item& item) {
     const pipeline::ChannelSummary summary = item.channel->summary();
     if (summary.simulated)
         return summary.recorded ? base::Provenance::recordedSimulation : base::Provenance::simulated;
-    return summary.recorded ? base::Provenance::recorded : base::Provenance::live;
+    return summary.recorded  ? base::Provenance::recorded
+           : summary.guarded ? base::Provenance::live
+                             : base::Provenance::unguarded;
 }
 
 } // namespace teleta::console

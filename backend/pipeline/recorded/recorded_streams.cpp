@@ -191,6 +191,8 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
                          {"lowest_rad", description.lowest_rad},
                          {"highest_rad", description.highest_rad},
                          {"fastest_rad_per_s", description.fastest_radPerS}};
+    if (!description.guarded)
+        details["guarded"] = false;
     if (chain != nullptr)
         details.update({{"urdf", chain->model().urdf},
                         {"base_link", chain->baseLink()},
@@ -313,6 +315,7 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     description.nominalRate_Hz = stream.nominalRate_Hz;
     description.simulated = reader.boolean(root, "simulated", false);
     description.recorded = true;
+    description.guarded = reader.boolean(root, "guarded", true);
     description.upperArmLength_m = number("upper_arm_m", 0.0);
     description.forearmLength_m = number("forearm_m", 0.0);
     description.halfThickness_m = number("half_thickness_m", 0.0);

@@ -11,6 +11,8 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <utility>
@@ -26,6 +28,9 @@ struct ArmFileText {
     Q_DECLARE_TR_FUNCTIONS(RosArmFile)
 };
 
+/// In the order of Adapter.
+constexpr std::array<std::string_view, 4> kAdapterNames{"trajectory", "moveit_servo", "velocity", "position"};
+
 /// No arm needs more; larger numbers are slips of the unit.
 constexpr NumberRange kRate = NumberRange::positiveUpTo(1000.0);
 constexpr double kFarthest_m = 1000.0;
@@ -37,11 +42,18 @@ std::size_t choiceOr(TomlTable& table, std::string_view key, const std::vector<s
 }
 
 void readAdapter(TomlTable& root, RosArmFile& file) {
-    // Further adapters would move an arm that nobody stops.
-    file.adapter = static_cast<Adapter>(choiceOr(root, "adapter", {"trajectory", "moveit_servo"}, 0));
-    if (root.boolean("unguarded", false))
-        root.fail("unguarded", ArmFileText::tr("no available adapter moves an arm unguarded").toStdString(),
-                  "false");
+    file.adapter =
+        static_cast<Adapter>(choiceOr(root, "adapter", {kAdapterNames.begin(), kAdapterNames.end()}, 0));
+    const bool unguarded = root.boolean("unguarded", false);
+    if (unguarded && isGuarded(file.adapter))
+        root.fail("unguarded",
+                  ArmFileText::tr("the robot ends a motion of this adapter itself").toStdString(), "false");
+    if (!unguarded && !isGuarded(file.adapter))
+        root.fail("adapter",
+                  ArmFileText::tr("nothing at the robot ends a motion of this adapter when this program ends "
+                                  "or the network is cut")
+                      .toStdString(),
+                  ArmFileText::tr("another adapter, or unguarded = true").toStdString());
 }
 
 void readNode(TomlTable& root, RosArmFile& file) {
@@ -175,6 +187,20 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
 }
 
 } // namespace
+
+std::string_view nameOf(Adapter adapter) {
+    return kAdapterNames[static_cast<std::size_t>(adapter)];
+}
+
+bool isGuarded(Adapter adapter) {
+    return adapter == Adapter::trajectory || adapter == Adapter::moveitServo;
+}
+
+std::string RosArmFile::commandTopic() const {
+    return controller + (adapter == Adapter::trajectory    ? "/joint_trajectory"
+                         : adapter == Adapter::moveitServo ? "/delta_joint_cmds"
+                                                           : "/commands");
+}
 
 std::string RosArmFile::wireName(std::string_view joint) const {
     const auto mapped = jointNames.find(joint);

@@ -25,7 +25,15 @@ enum class EffortUnit {
 enum class Adapter {
     trajectory,  ///< a trajectory controller
     moveitServo, ///< MoveIt Servo, with rates of the joints
+    velocity,    ///< a controller that forwards rates and keeps the last one for ever
+    position,    ///< a controller that forwards positions
 };
+
+/// What TOML files and sites call it: "moveit_servo".
+[[nodiscard]] std::string_view nameOf(Adapter adapter);
+
+/// Whether the robot ends a motion by itself when nothing more is sent.
+[[nodiscard]] bool isGuarded(Adapter adapter);
 
 /// How wide the names of readers and writers are when nodes are told.
 enum class Distribution { jazzy, humble };
@@ -54,10 +62,8 @@ struct RosArmFile {
 
     /// A joint's name in messages: as the file maps it, after the prefix.
     [[nodiscard]] std::string wireName(std::string_view joint) const;
-    /// "/arm_controller/joint_trajectory", or "/servo_node/delta_joint_cmds"
-    [[nodiscard]] std::string commandTopic() const {
-        return controller + (adapter == Adapter::moveitServo ? "/delta_joint_cmds" : "/joint_trajectory");
-    }
+    /// "/arm_controller/joint_trajectory", "/servo_node/delta_joint_cmds", "/velocity_controller/commands"
+    [[nodiscard]] std::string commandTopic() const;
 };
 
 /// Relative paths of the file count from its folder. Error: notFound, ioFailed, badInput with file, line and

@@ -92,11 +92,16 @@ TEST(RosArmFile, saysWhereItIsWrong) {
 }
 
 TEST(RosArmFile, whatCannotBeKeptIsRefused) {
-    EXPECT_EQ(errorWith("adapter = \"velocity\"\n"),
-              "arm.toml:6:11: unknown value \"velocity\" of \"adapter\" (expected one of: trajectory, "
-              "moveit_servo)");
+    EXPECT_EQ(errorWith("adapter = \"effort\"\n"),
+              "arm.toml:6:11: unknown value \"effort\" of \"adapter\" (expected one of: trajectory, "
+              "moveit_servo, velocity, position)");
+    for (const char* adapter : {"velocity", "position"})
+        EXPECT_EQ(
+            errorWith(std::string("adapter = \"") + adapter + "\"\n"),
+            "arm.toml:6:11: nothing at the robot ends a motion of this adapter when this program ends or "
+            "the network is cut (expected another adapter, or unguarded = true)");
     EXPECT_EQ(errorWith("unguarded = true\n"),
-              "arm.toml:6:13: no available adapter moves an arm unguarded (expected false)");
+              "arm.toml:6:13: the robot ends a motion of this adapter itself (expected false)");
     EXPECT_EQ(errorWith("effort_contains_gravity = true\n"),
               "arm.toml:6:27: the efforts of this arm are not in Nm (expected effort_unit = \"Nm\")");
     EXPECT_EQ(errorWith("effort_unit = \"A\"\n[limits]\neffort_stop = [1, 2]\n"),
@@ -117,9 +122,19 @@ TEST(RosArmFile, aServoHasATopicOfItsOwn) {
     const auto other = parseRosArm(frames + "controller = \"/left/servo\"\n", "arm.toml");
     ASSERT_TRUE(other) << core::describe(other.error());
     EXPECT_EQ(other->commandTopic(), "/left/servo/delta_joint_cmds");
-    for (const char* adapter : {"velocity", "position"})
-        EXPECT_NE(errorWith(std::string("adapter = \"") + adapter + "\"\n").find("moveit_servo"),
-                  std::string::npos);
+}
+
+TEST(RosArmFile, aForwardingControllerHasToBeCalledUnguarded) {
+    const std::string text = "kind = \"ros_arm\"\nname = \"Arm\"\nbase_frame = \"base_link\"\n"
+                             "tip_frame = \"tool0\"\nunguarded = true\ncontroller = \"/forward\"\n";
+    for (const Adapter adapter : {Adapter::velocity, Adapter::position}) {
+        const auto file =
+            parseRosArm(text + "adapter = \"" + std::string(nameOf(adapter)) + "\"\n", "arm.toml");
+        ASSERT_TRUE(file) << core::describe(file.error());
+        EXPECT_EQ(file->adapter, adapter);
+        EXPECT_FALSE(isGuarded(file->adapter));
+        EXPECT_EQ(file->commandTopic(), "/forward/commands");
+    }
 }
 
 TEST(RosArmFile, readsTheFileOfItsForceSensor) {

@@ -17,7 +17,7 @@ using arm_model::MotionLimits;
 using arm_model::TrajectoryPoint;
 using Points = std::array<TrajectoryPoint, 2>;
 
-constexpr std::int64_t kPeriod = TrajectoryMover::kPeriod_ns;
+constexpr std::int64_t kPeriod = 20'000'000;
 constexpr std::int64_t kMs = 1'000'000;
 
 std::shared_ptr<const arm_model::SerialChain> twoJoints() {
@@ -78,7 +78,7 @@ public:
         return mover.state().drive != core::ArmDrive::jog;
     }
 
-    TrajectoryMover mover{twoJoints(), limits()};
+    TrajectoryMover mover{twoJoints(), limits(), kPeriod, arm_model::kFirstPoint_s};
     MoverInput input{.now_ns = 1'000'000'000,
                      .stopped = false,
                      .engagements = 0,

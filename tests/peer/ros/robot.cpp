@@ -56,6 +56,7 @@ Robot::Robot(const RobotOptions& options, const std::string& urdf)
                                                 : TrajectoryFollower::Start::Measured,
                  options.distribution == "jazzy")
     , m_velocityCommand(m_arm.joints().size(), 0.0)
+    , m_positionCommand(startOf(options, m_arm))
     , m_topics(options, urdf, m_arm) {
     m_arm.place(startOf(options, m_arm));
     if (!options.log.empty()) {
@@ -93,6 +94,11 @@ void Robot::step(std::int64_t step, double late_s) {
         const std::vector<double> position = m_arm.position_rad();
         for (std::size_t i = 0; i < velocity.size(); ++i)
             velocity[i] = desired.velocity_radPerS[i] + kGain_perS * (desired.position_rad[i] - position[i]);
+    }
+    if (m_options.controller == "position") {
+        const std::vector<double> position = m_arm.position_rad();
+        for (std::size_t i = 0; i < velocity.size(); ++i)
+            velocity[i] = kGain_perS * (m_positionCommand[i] - position[i]);
     }
     if (m_options.controller == "servo")
         velocity = servoVelocity();
@@ -140,9 +146,9 @@ void Robot::takeJogs() {
 void Robot::takeCommands(double now_s) {
     takeJogs();
     const auto trajectories = m_topics.takeTrajectories();
-    const auto velocities = m_topics.takeVelocities();
+    const auto values = m_topics.takeValues();
     if (has("deaf")) {
-        m_counts["deaf"] = m_counts["deaf"].get<std::size_t>() + trajectories.size() + velocities.size();
+        m_counts["deaf"] = m_counts["deaf"].get<std::size_t>() + trajectories.size() + values.size();
         return;
     }
     const auto count = [this](bool accepted) {
@@ -160,13 +166,14 @@ void Robot::takeCommands(double now_s) {
                            {"points", pointsOf(trajectory)},
                            {"position", measured.position_rad}});
     }
-    for (const auto& message : velocities) {
+    std::vector<double>& kept = m_options.controller == "position" ? m_positionCommand : m_velocityCommand;
+    for (const auto& message : values) {
         const std::vector<double>& data = message.data();
-        const bool whole = data.size() == m_velocityCommand.size();
+        const bool whole = data.size() == kept.size();
         if (whole)
-            m_velocityCommand = data;
+            kept = data;
         count(whole);
-        log("velocity", {{"accepted", whole}, {"data", data}, {"position", m_arm.position_rad()}});
+        log(m_options.controller, {{"accepted", whole}, {"data", data}, {"position", m_arm.position_rad()}});
     }
 }
 

@@ -43,7 +43,8 @@ private:
     ArmPhysics m_arm;
     TrajectoryFollower m_follower;
     std::vector<double> m_velocityCommand;
-    double m_servoUntil_s = 0; ///< wall clock; the servo halts then
+    std::vector<double> m_positionCommand; ///< as long as nobody commands: where it started
+    double m_servoUntil_s = 0;             ///< wall clock; the servo halts then
     RobotTopics m_topics;
     std::ofstream m_log;
     std::set<std::string> m_active;

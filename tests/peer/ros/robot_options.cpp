@@ -33,7 +33,7 @@ Lines on standard input with --commands, each answered by "done" or "error WHY":
   end                          as the end of the input: the program ends
 
 The log has one JSON object a line, with the steady clock in steady_ns: "ready", "state" (100 a second: position,
-velocity and desired position), "trajectory", "velocity" and "jog" (each that came, whether accepted, why not, where the arm
+velocity and desired position), "trajectory", "velocity", "position" and "jog" (each that came, whether accepted, why not, where the arm
 stood), "matched" (writers on the command topic, readers of joint states), "fault", "end" (counts).)";
 
 double number(const std::string& text) {
@@ -100,11 +100,11 @@ RobotOptions readOptions(int argc, char** argv) {
         ->capture_default_str();
     app.add_option(
            "--controller", options.controller,
-           "trajectory: /arm_controller/joint_trajectory; velocity: /velocity_controller/commands, "
-           "which keeps "
-           "the last value for ever; servo: /servo_node/delta_joint_cmds, which halts 0.1 s after the "
+           "trajectory: /arm_controller/joint_trajectory; velocity: /velocity_controller/commands and "
+           "position: /position_controller/commands, which keep "
+           "the last values for ever; servo: /servo_node/delta_joint_cmds, which halts 0.1 s after the "
            "stamp of the last command")
-        ->check(CLI::IsMember({"trajectory", "velocity", "servo"}))
+        ->check(CLI::IsMember({"trajectory", "velocity", "position", "servo"}))
         ->capture_default_str();
     app.add_option("--joint-qos", options.jointQos, "Of the writer of /joint_states")
         ->check(CLI::IsMember({"reliable", "best-effort"}))

@@ -82,8 +82,8 @@ RobotTopics::RobotTopics(const RobotOptions& options, const std::string& urdf, c
         m_node.read("/servo_node/delta_joint_cmds",
                     dds::TypeSupport(new control_msgs::msg::JointJogPubSubType), command, &m_jogs);
     else
-        m_node.read("/velocity_controller/commands",
-                    dds::TypeSupport(new std_msgs::msg::Float64MultiArrayPubSubType), command, &m_velocities);
+        m_node.read("/" + options.controller + "_controller/commands",
+                    dds::TypeSupport(new std_msgs::msg::Float64MultiArrayPubSubType), command, &m_values);
 }
 
 void RobotTopics::tellJointsAs(bool reliable) {

@@ -48,23 +48,21 @@ public:
     [[nodiscard]] std::vector<trajectory_msgs::msg::JointTrajectory> takeTrajectories() {
         return m_trajectories.take();
     }
-    [[nodiscard]] std::vector<std_msgs::msg::Float64MultiArray> takeVelocities() {
-        return m_velocities.take();
-    }
+    [[nodiscard]] std::vector<std_msgs::msg::Float64MultiArray> takeValues() { return m_values.take(); }
     [[nodiscard]] std::vector<control_msgs::msg::JointJog> takeJogs() { return m_jogs.take(); }
     [[nodiscard]] int commanders() const {
-        return m_trajectories.writers() + m_velocities.writers() + m_jogs.writers();
+        return m_trajectories.writers() + m_values.writers() + m_jogs.writers();
     }
     [[nodiscard]] int jointReaders() const { return m_jointReaders.readers(); }
     /// Writers on the command topic that do not match.
     [[nodiscard]] int incompatible() const {
-        return m_trajectories.incompatible() + m_velocities.incompatible() + m_jogs.incompatible();
+        return m_trajectories.incompatible() + m_values.incompatible() + m_jogs.incompatible();
     }
 
 private:
     // Before the node, which calls them until it is gone.
     Inbox<trajectory_msgs::msg::JointTrajectory> m_trajectories;
-    Inbox<std_msgs::msg::Float64MultiArray> m_velocities;
+    Inbox<std_msgs::msg::Float64MultiArray> m_values;
     Inbox<control_msgs::msg::JointJog> m_jogs;
     ReaderCount m_jointReaders;
     DdsNode m_node;

@@ -184,6 +184,135 @@ TEST_F(RosArmPeer, anInterruptionHoldsTheArm) {
     EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
 }
 
+TEST_F(RosArmPeer, aVelocityControllerIsBroughtToRest) {
+    start(122, {"--controller", "velocity"});
+    const std::string adapter = "adapter = \"velocity\"\ncontroller = \"/velocity_controller\"\n";
+    writeFile(adapter);
+    const ProgramResult refused = check();
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.err.find("unguarded = true"), std::string::npos) << refused.err;
+    writeFile(adapter + "unguarded = true\n");
+    const ProgramResult checked = check();
+    EXPECT_EQ(checked.exitCode, 0) << checked.out << checked.err;
+    EXPECT_NE(checked.out.find("UNGUARDED"), std::string::npos) << checked.out;
+
+    const ProgramResult result = test::run(jogArguments(1.0));
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    // Between half and all of the way at the full rate: the switch is held for a second.
+    const double way = json::parse(result.out)["way"];
+    EXPECT_GT(way, 0.15) << result.out;
+    EXPECT_LT(way, 0.36) << result.out;
+    const auto areZero = [](const json& command) {
+        return std::ranges::all_of(command["data"], [](const json& value) { return value == 0.0; });
+    };
+    const std::vector<json> commands = logOf("velocity");
+    ASSERT_FALSE(commands.empty());
+    for (const json& command : commands) {
+        EXPECT_EQ(command["accepted"], true);
+        for (const json& value : command["data"])
+            EXPECT_LE(std::abs(value.get<double>()), kRate_radPerS + 1e-9);
+    }
+    EXPECT_TRUE(areZero(commands.back()));
+    EXPECT_NEAR(logOf("state").back()["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+
+    // Ended in the middle, the program sends zeros before it goes.
+    const auto isFast = [this] {
+        const std::vector<json> states = logOf("state");
+        return !states.empty() && states.back()["velocity"][kJoint].get<double>() > 0.9 * kRate_radPerS;
+    };
+    test::RunningProgram ended(jogArguments(2.0));
+    ASSERT_TRUE(eventually(isFast));
+    ended.send(SIGTERM);
+    (void)ended.wait();
+    EXPECT_TRUE(eventually([&] { return areZero(logOf("velocity").back()); }));
+    EXPECT_TRUE(
+        eventually([&] { return std::abs(logOf("state").back()["velocity"][kJoint].get<double>()) < 1e-3; }));
+
+    // Joints that are told wrongly bring it to rest, too, and so does someone else on the topic.
+    test::RunningProgram blind(jogArguments(2.0));
+    ASSERT_TRUE(eventually(isFast));
+    ASSERT_TRUE(m_robot.command("fault nan"));
+    EXPECT_EQ(blind.wait().exitCode, 1);
+    EXPECT_TRUE(eventually([&] { return areZero(logOf("velocity").back()); }));
+    ASSERT_TRUE(m_robot.command("fault none"));
+
+    // That is what UNGUARDED means: nothing at the robot stops what a killed program left behind.
+    test::RunningProgram killed(jogArguments(2.0));
+    ASSERT_TRUE(eventually(isFast));
+    killed.send(SIGKILL);
+    EXPECT_EQ(killed.wait().exitCode, -SIGKILL);
+    const std::size_t left = logOf("velocity").size();
+    const std::size_t seen = logOf("state").size();
+    ASSERT_TRUE(eventually([&] { return logOf("state").size() > seen + 50; }));
+    EXPECT_EQ(logOf("velocity").size(), left);
+    EXPECT_TRUE(isFast());
+}
+
+TEST_F(RosArmPeer, aPositionControllerStaysWhereItWasLeft) {
+    start(123, {"--controller", "position", "--position", "0.1,0.2,0.3,0.4,0.5,0.6,0.7"});
+    writeFile("adapter = \"position\"\ncontroller = \"/position_controller\"\nunguarded = true\n");
+    const ProgramResult result = test::run(jogArguments(1.0));
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const double way = json::parse(result.out)["way"];
+    EXPECT_GT(way, 0.15) << result.out;
+    EXPECT_LT(way, 0.36) << result.out;
+    const std::vector<json> commands = logOf("position");
+    ASSERT_FALSE(commands.empty());
+    constexpr double kLeash_rad = 0.05;
+    for (const json& command : commands)
+        for (std::size_t i = 0; i < command["data"].size(); ++i)
+            EXPECT_NEAR(command["data"][i].get<double>(), command["position"][i].get<double>(),
+                        kLeash_rad + 1e-3)
+                << i;
+    const json last = logOf("state").back();
+    EXPECT_NEAR(last["position"][kJoint].get<double>(), 0.3 + way, 5e-3);
+    EXPECT_NEAR(last["velocity"][kJoint].get<double>(), 0.0, 1e-3);
+
+    test::RunningProgram killed(jogArguments(2.0));
+    ASSERT_TRUE(eventually(
+        [this] { return logOf("state").back()["velocity"][kJoint].get<double>() > 0.9 * kRate_radPerS; }));
+    killed.send(SIGKILL);
+    EXPECT_EQ(killed.wait().exitCode, -SIGKILL);
+    EXPECT_TRUE(eventually(
+        [this] { return std::abs(logOf("state").back()["velocity"][kJoint].get<double>()) < 1e-3; }));
+    EXPECT_NEAR(logOf("state").back()["position"][kJoint].get<double>(),
+                logOf("position").back()["data"][kJoint].get<double>(), 5e-3);
+}
+
+TEST_F(RosArmPeer, aProbeListensToThePad) {
+    start(124, {"--pad"});
+    const auto probe = [this](const std::string& rows) {
+        writeBeside("pad.toml", "kind = \"ros_tactile\"\nname = \"pad\"\ntopic = \"/pad/tactile\"\n"
+                                "format = \"Float64MultiArray\"\nrows = " +
+                                    rows +
+                                    "\ncols = 6\npitch_mm = 3.4\nrate_Hz = 100\n[ros]\ndomain = 124\n"
+                                    "interface = \"lo\"\n");
+        return test::run({"devices", "--probe", m_folder.filePath("pad.toml").toStdString(), "--json"});
+    };
+    const ProgramResult result = probe("14");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const json pad = json::parse(result.out)[0];
+    EXPECT_EQ(pad["kind"], "ros_tactile");
+    EXPECT_EQ(pad["connected"], true) << result.out;
+    EXPECT_GT(pad["frame_rate_hz"].get<double>(), 20.0);
+    const auto value = [](const json& device, const char* name) {
+        for (const json& one : device["values"])
+            if (one["name"] == name)
+                return one["value"].get<double>();
+        return -1.0;
+    };
+    EXPECT_EQ(value(pad, "rows"), 14.0);
+    EXPECT_GT(value(pad, "messages"), 10.0);
+    EXPECT_EQ(value(pad, "misfits"), 0.0);
+    // A file of another size.
+    const ProgramResult other = probe("13");
+    EXPECT_EQ(other.exitCode, 1) << other.out;
+    const json misfit = json::parse(other.out)[0];
+    EXPECT_EQ(misfit["connected"], false);
+    EXPECT_NE(misfit["reason"].get<std::string>().find("84"), std::string::npos) << other.out;
+    EXPECT_GT(value(misfit, "misfits"), 10.0);
+}
+
 TEST_F(RosArmPeer, aForceAtTheWristHoldsTheArm) {
     start(112);
     writeBeside("ft.toml",

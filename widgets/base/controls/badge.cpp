@@ -17,8 +17,9 @@ QFont badgeFont(const QFont& font) {
 } // namespace
 
 QString provenanceText(Provenance provenance) {
-    return provenance == Provenance::simulated  ? QCoreApplication::translate("Provenance", "SIMULATED")
-           : provenance == Provenance::recorded ? QCoreApplication::translate("Provenance", "RECORDED")
+    return provenance == Provenance::simulated   ? QCoreApplication::translate("Provenance", "SIMULATED")
+           : provenance == Provenance::recorded  ? QCoreApplication::translate("Provenance", "RECORDED")
+           : provenance == Provenance::unguarded ? QCoreApplication::translate("Provenance", "UNGUARDED")
            : provenance == Provenance::recordedSimulation
                ? QCoreApplication::translate("Provenance", "RECORDED SIMULATION")
                : QString();
@@ -26,9 +27,10 @@ QString provenanceText(Provenance provenance) {
 
 QColor provenanceColour(Provenance provenance, const QPalette& palette) {
     const StatusColours& colours = statusColours(palette);
-    return provenance == Provenance::recorded ? colours.recorded
-           : provenance == Provenance::live   ? colours.neutral
-                                              : colours.simulated;
+    return provenance == Provenance::recorded    ? colours.recorded
+           : provenance == Provenance::live      ? colours.neutral
+           : provenance == Provenance::unguarded ? colours.lost
+                                                 : colours.simulated;
 }
 
 bool paintsScreen(const QPainter& painter) {

@@ -13,15 +13,16 @@ class QPainter;
 
 namespace teleta::base {
 
-/// Where the data of a view come from. Every view of data that are not live says so: by a stripe on the
-/// screen, by a badge in a picture that leaves the program. Several data together are what the greatest of
-/// theirs says.
-enum class Provenance { live, recorded, recordedSimulation, simulated };
+/// Where the data of a view come from. Every view of data that are not live says so, and every view of an arm
+/// that nothing at the robot stops: by a stripe on the screen, by a badge in a picture that leaves the
+/// program. Several data together are what the greatest of theirs says.
+enum class Provenance { live, unguarded, recorded, recordedSimulation, simulated };
 
-/// "SIMULATED", "RECORDED", "RECORDED SIMULATION", translated; empty for live data.
+/// "SIMULATED", "RECORDED", "RECORDED SIMULATION", "UNGUARDED", translated; empty for live data.
 [[nodiscard]] QString provenanceText(Provenance provenance);
 
-/// Violet for simulated data, recorded ones among them; blue-grey for recorded ones of a device.
+/// Violet for simulated data, recorded ones among them; blue-grey for recorded ones of a device; red for an
+/// arm without a guard.
 [[nodiscard]] QColor provenanceColour(Provenance provenance, const QPalette& palette);
 
 /// A word in a coloured box, for states that must not be missed.

@@ -120,8 +120,12 @@ void JogPanel::showHint() {
             ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
             : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
                   .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down));
-    m_message->setText(hasKeyboard() ? how
-                                     : tr("Click here first: the keys work only in this view. %1").arg(how));
+    QString text = hasKeyboard() ? how : tr("Click here first: the keys work only in this view. %1").arg(how);
+    if (m_arm && !m_arm->guarded)
+        text = tr("UNGUARDED: the robot does not stop by itself when this program or the network fails. "
+                  "Keep its emergency stop within reach. %1")
+                   .arg(text);
+    m_message->setText(text);
 }
 
 void JogPanel::showTip() {
