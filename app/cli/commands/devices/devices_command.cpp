@@ -4,6 +4,9 @@
 #include "app/cli/base/options.h"
 #include "app/cli/commands/devices/device_files.h"
 #include "app/cli/commands/devices/devices_commands.h"
+#include "app/cli/commands/devices/found_device.h"
+#include "app/cli/commands/devices/measured_rate.h"
+#include "app/cli/commands/devices/ros_probes.h"
 #include "app/cli/commands/devices/taxels_report.h"
 #include "backend/core/beside_file.h"
 #include "backend/core/data/output_file.h"
@@ -47,31 +50,6 @@ namespace {
 struct DevicesText {
     Q_DECLARE_TR_FUNCTIONS(DevicesCommand)
 };
-
-/// One quantity that a device reports.
-struct DeviceValue {
-    std::string name;
-    double value = 0.0;
-    std::string unit;
-};
-
-/// A device that was found, or one that was looked for and not found.
-struct FoundDevice {
-    /// hid_bracelet, sound_bracelet, mouse3d, modbus, wts, camera, marker_gel, or of a taxels::isArrayKind()
-    std::string kind;
-    std::string name;
-    std::string where;                    ///< path or address
-    std::optional<core::Error> error{};   ///< why it cannot be used; nothing: it is connected
-    std::optional<double> frameRate_Hz{}; ///< frames of the motors, the array or the camera a second
-    std::optional<double> inputRate_Hz{}; ///< readings of all inputs a second
-    std::vector<DeviceValue> values{};
-    std::optional<TaxelsReport> stream{}; ///< of a described array
-};
-
-template <typename T>
-std::optional<core::Error> errorOf(const core::Expected<T>& result) {
-    return result ? std::nullopt : std::optional(result.error());
-}
 
 void open(FoundDevice& found, const bracelet::HidBraceletConfig& config) {
     const core::StopSwitch stopSwitch;
@@ -165,37 +143,6 @@ core::Expected<FoundDevice> probeSound(const std::string& path) {
     }
     bracelet.stop();
     return found;
-}
-
-/// Of an array, over a second from its first frame on; empty: none came.
-std::optional<double> measuredRate_Hz(core::TactileSource& array) {
-    using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::seconds kLongestWait{3};
-    constexpr std::chrono::seconds kMeasured{1};
-    constexpr std::chrono::milliseconds kLook{50}; // for an interruption, while no frame comes
-    core::Wakeup wakeup;
-    array.start(wakeup);
-    auto end = Clock::now() + kLongestWait;
-    std::int64_t first_ns = 0;
-    std::int64_t last_ns = 0;
-    std::size_t frames = 0;
-    while (Clock::now() < end && !interrupted()) {
-        core::SampleBlock block;
-        while (array.blocks().pop(block)) {
-            for (const std::int64_t time_ns : block.time_ns) {
-                if (frames++ == 0) {
-                    first_ns = time_ns;
-                    end = Clock::now() + kMeasured;
-                }
-                last_ns = time_ns;
-            }
-        }
-        (void)wakeup.waitFor(kLook);
-    }
-    array.stop();
-    if (frames < 2 || last_ns <= first_ns)
-        return std::nullopt;
-    return 1e9 * static_cast<double>(frames - 1) / static_cast<double>(last_ns - first_ns);
 }
 
 core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
@@ -326,8 +273,9 @@ core::Expected<FoundDevice> probeStream(const std::string& path, const std::stri
 core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes) {
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     core::TomlTable root = document.root();
-    const std::size_t kind = root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet", "taxels",
-                                                  "magnetometers", "xela", "sound_bracelet", "marker_gel"});
+    const std::size_t kind =
+        root.choice("kind", {"modbus", "wts", "camera", "hid_bracelet", "taxels", "magnetometers", "xela",
+                             "sound_bracelet", "marker_gel", "ros_tactile", "ros_camera"});
     if (document.firstError())
         return core::Unexpected(*document.firstError());
     // Without a kind the other keys say nothing either.
@@ -336,7 +284,8 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
         return core::failed(
             core::ErrorKind::badInput, DevicesText::tr("\"kind\" is missing"),
             DevicesText::tr("kind = \"modbus\", \"wts\", \"camera\", \"hid_bracelet\", \"taxels\", "
-                            "\"magnetometers\", \"xela\", \"sound_bracelet\" or \"marker_gel\""),
+                            "\"magnetometers\", \"xela\", \"sound_bracelet\", \"marker_gel\", "
+                            "\"ros_tactile\" or \"ros_camera\""),
             {path, 1, 1});
     }
     if (kind == 0)
@@ -347,6 +296,10 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
         return probeSound(path);
     if (kind == 8)
         return probeGel(path);
+    if (kind == 9)
+        return probeRosArray(path);
+    if (kind == 10)
+        return probeRosCamera(path);
     if (const std::string name = root.text("kind"); taxels::isArrayKind(name))
         return probeStream(path, name, bytes);
     return kind == 1 ? probeArray(document) : probeCamera(document);
@@ -372,7 +325,7 @@ nlohmann::ordered_json toJson(const FoundDevice& device) {
 }
 
 bool isArray(const std::string& kind) {
-    return kind == "wts" || taxels::isArrayKind(kind);
+    return kind == "wts" || kind == "ros_tactile" || taxels::isArrayKind(kind);
 }
 
 QString kindName(const std::string& kind) {
@@ -382,7 +335,7 @@ QString kindName(const std::string& kind) {
         return DevicesText::tr("3D mouse");
     if (isArray(kind))
         return DevicesText::tr("Tactile array");
-    if (kind == "camera")
+    if (kind == "camera" || kind == "ros_camera")
         return DevicesText::tr("Camera");
     if (kind == "marker_gel")
         return DevicesText::tr("Flat gel with markers");
