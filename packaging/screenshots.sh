@@ -4,10 +4,16 @@
 # simulated array, a simulated camera and its calibration, a pattern, a rehearsed study, light and dark. The contour takes four minutes,
 # since it is explored in real time.
 #   screenshots.sh [FOLDER [WIDTHxHEIGHT]]      default: resources/screenshots 1600x1000
+#   screenshots.sh --handbook                   those of the handbook's pages instead: resources/handbook/pictures 1200x760
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_environment.sh"
-folder=${1:-$root/resources/screenshots}
-size=${2:-1600x1000}
+if [[ ${1:-} == --handbook ]]; then
+    folder=$root/resources/handbook/pictures
+    size=1200x760
+else
+    folder=${1:-$root/resources/screenshots}
+    size=${2:-1600x1000}
+fi
 mkdir -p "$folder"
 
 "$root/packaging/install_dependencies.sh"
@@ -52,6 +58,15 @@ take() {
     printf '%s\n' "$picture"
 }
 
+if [[ ${1:-} == --handbook ]]; then
+    take page-start --fresh --after 5 --theme light
+    take page-operate "${touches[@]}" --dock touches --theme light
+    take page-recording "${recording[@]}" --theme light
+    take page-patterns --page patterns --pattern "$studies/pattern.json" --after 6 --theme light
+    take page-study "${session[@]}" --theme light
+    take page-calibrate --page calibrate --camera-pairs "$studies/camera/pairs.csv" --after 12 --theme light
+    exit
+fi
 take operate-touch-dark "${touch[@]}" --theme dark
 take operate-contour-light "${contour[@]}" --dock contour --theme light
 take operate-camera-dark "${camera[@]}" --theme dark

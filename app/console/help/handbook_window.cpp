@@ -28,6 +28,7 @@ namespace {
 
 constexpr int kLineHeight_percent = 125;
 constexpr double kFirstColumn_percent = 24.0;
+constexpr double kPicture_em = 48.0; ///< widest picture
 
 /// Shows pages of the handbook by name; QTextBrowser keeps the history.
 class HandbookText : public QTextBrowser {
@@ -66,6 +67,16 @@ public:
     }
 
 protected:
+    /// A picture that is wider than the text is shown smaller, on a fine screen with all its dots.
+    [[nodiscard]] QImage fitted(const QImage& picture) const {
+        const double ratio = devicePixelRatioF();
+        const int widest_px = qRound(base::em(this, kPicture_em) * ratio);
+        if (picture.width() <= widest_px)
+            return picture;
+        QImage smaller = picture.scaledToWidth(widest_px, Qt::SmoothTransformation);
+        smaller.setDevicePixelRatio(ratio);
+        return smaller;
+    }
     void doSetSource(const QUrl& url, QTextDocument::ResourceType) override {
         QTextBrowser::doSetSource(url, QTextDocument::MarkdownResource);
         dress();
@@ -78,7 +89,7 @@ protected:
     QVariant loadResource(int type, const QUrl& url) override {
         // The same in each language.
         if (type == QTextDocument::ImageResource)
-            return QImage(QStringLiteral(":/handbook/pictures/") + QFileInfo(url.path()).fileName());
+            return fitted(QImage(QStringLiteral(":/handbook/pictures/") + QFileInfo(url.path()).fileName()));
         const auto page = handbookPage(QFileInfo(url.path()).completeBaseName(),
                                        app::installedLocale(*QCoreApplication::instance()).name());
         return page ? QVariant(page->text) : QTextBrowser::loadResource(type, url);
@@ -130,7 +141,7 @@ HandbookWindow::HandbookWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(bar);
     layout->addLayout(row, 1);
-    resize(base::em(this, 58), base::em(this, 44));
+    resize(base::em(this, kPicture_em + 18), base::em(this, 48));
 
     connect(m_back, &QAction::triggered, m_text, &QTextBrowser::backward);
     connect(m_forward, &QAction::triggered, m_text, &QTextBrowser::forward);
