@@ -37,8 +37,18 @@ QString quoted(const QString& text) {
 }
 
 QString sourceName(base::Provenance provenance) {
-    static constexpr std::array kNames{"live", "recorded", "recorded_simulation", "simulated"};
-    return QString::fromLatin1(kNames[static_cast<std::size_t>(provenance)]);
+    switch (provenance) {
+    case base::Provenance::live:
+    case base::Provenance::unguarded:
+        break;
+    case base::Provenance::recorded:
+        return QStringLiteral("recorded");
+    case base::Provenance::recordedSimulation:
+        return QStringLiteral("recorded_simulation");
+    case base::Provenance::simulated:
+        return QStringLiteral("simulated");
+    }
+    return QStringLiteral("live");
 }
 
 QString noValue() {
