@@ -4,6 +4,7 @@
 #include "app/cli/base/interruption.h"
 #include "backend/core/data/sample_block.h"
 #include "backend/core/device/camera_source.h"
+#include "backend/core/device/colour_image.h"
 #include "backend/core/device/device.h"
 #include "backend/core/threads/wakeup.h"
 
