@@ -26,7 +26,7 @@ TEST_F(TekscanFileTest, aPressureTimesTheAreaIsAForce) {
     ASSERT_TRUE(series) << describe(series.error());
     EXPECT_EQ(series->unit, "N");
     EXPECT_EQ(series->layout.rows, 2);
-    EXPECT_NEAR(series->layout.pitch_m, 0.0025, 1e-12);
+    EXPECT_NEAR(series->layout.pitchX_m, 0.0025, 1e-12);
     EXPECT_FLOAT_EQ(series->values[1], 2e3F * 6.25e-6F);
     EXPECT_TRUE(std::isnan(series->values[3])) << "a place outside of the sensor";
     EXPECT_EQ(series->time_s, (std::vector<double>{0.0, 0.01}));

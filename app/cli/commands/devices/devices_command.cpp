@@ -215,7 +215,7 @@ core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
         const core::SourceDescription& array = (*opened)->description();
         found.values = {{"rows", static_cast<double>(array.layout.rows), "1"},
                         {"columns", static_cast<double>(array.layout.columns), "1"},
-                        {"pitch", array.layout.pitch_m, "m"}};
+                        {"pitch", array.layout.largerPitch_m(), "m"}};
     }
     return found;
 }
