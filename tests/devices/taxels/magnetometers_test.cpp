@@ -117,7 +117,8 @@ TEST(Magnetometers, takeTheMedianOfFiftyFramesForTheirRest) {
     const auto rest = measureRest(file);
     ASSERT_TRUE(rest) << core::describe(rest.error());
     ASSERT_EQ(rest->size(), 27U);
-    EXPECT_EQ((*rest)[14], -25.0F / 8) << "z of the chip in the middle, in frame 25 of 50";
+    // z of the chip in the middle falls from frame to frame, so the upper of the two middle ones is frame 24.
+    EXPECT_EQ((*rest)[14], -24.0F / 8);
     EXPECT_TRUE(std::isnan((*rest)[0]));
 }
 

@@ -48,7 +48,7 @@ pipeline::TouchSnapshot PlaceRaster::drawn(const pipeline::TouchSnapshot& snapsh
     pipeline::TouchSnapshot drawn = snapshot;
     drawn.layout = m_layout;
     drawn.load_N.assign(m_taxelOf.size(), 0.0F);
-    drawn.dead.assign(m_taxelOf.size(), 1);
+    drawn.dead.assign(m_taxelOf.size(), 0); // no taxel is no dead one
     drawn.labels.assign(snapshot.labels.empty() ? 0 : m_taxelOf.size(), 0);
     drawn.shearX_N.clear();
     drawn.shearY_N.clear();

@@ -20,7 +20,8 @@ public:
     explicit PlaceRaster(const core::TaxelPlaces& places);
 
     [[nodiscard]] const core::TaxelLayout& layout() const { return m_layout; }
-    /// The frame on the grid: loads, dead cells and labels; all else as it is.
+    /// The frame on the grid: loads, dead cells and labels; all else as it is. Cells of no taxel bear no
+    /// load.
     [[nodiscard]] pipeline::TouchSnapshot drawn(const pipeline::TouchSnapshot& snapshot) const;
 
 private:
