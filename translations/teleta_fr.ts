@@ -5063,6 +5063,14 @@ Exemples&#xa0;:
         <source>No new data: the last frame is shown.</source>
         <translation>Pas de nouvelles données&#xa0;: la dernière trame est affichée.</translation>
     </message>
+    <message>
+        <source>shear</source>
+        <translation>cisaillement</translation>
+    </message>
+    <message>
+        <source>shear, a taxel&apos;s width is %1</source>
+        <translation>cisaillement, la largeur d’un taxel vaut %1</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -5079,8 +5087,24 @@ Exemples&#xa0;:
         <translation>pas de contact</translation>
     </message>
     <message>
-        <source>row %1, column %2   %3   %4   x %5 mm, y %6 mm</source>
-        <translation>ligne %1, colonne %2   %3   %4   x %5 mm, y %6 mm</translation>
+        <source>no taxel</source>
+        <translation>pas de taxel</translation>
+    </message>
+    <message>
+        <source>shear %1</source>
+        <translation>cisaillement %1</translation>
+    </message>
+    <message>
+        <source>row %1, column %2</source>
+        <translation>ligne %1, colonne %2</translation>
+    </message>
+    <message>
+        <source>taxel %1</source>
+        <translation>taxel %1</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3   x %4 mm, y %5 mm</source>
+        <translation>%1   %2   %3   x %4 mm, y %5 mm</translation>
     </message>
 </context>
 <context>
@@ -13950,6 +13974,14 @@ Lancez teleta-site --help pour en savoir plus.
         <source>First frame in %1, the last row first</source>
         <translation>Première trame en %1, la dernière ligne d’abord</translation>
     </message>
+    <message>
+        <source>First frame: taxel, x and y in mm, and its x, y and z in %1</source>
+        <translation>Première trame&#xa0;: taxel, x et y en mm, et ses x, y et z en %1</translation>
+    </message>
+    <message>
+        <source>First frame: taxel, x and y in mm, and its load in %1</source>
+        <translation>Première trame&#xa0;: taxel, x et y en mm, et sa charge en %1</translation>
+    </message>
 </context>
 <context>
     <name>TaxelsText</name>
@@ -14079,14 +14111,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>un chemin comme «&#xa0;/sensors/0/data&#xa0;»</translation>
     </message>
     <message>
-        <source>the places lie on no square grid</source>
-        <translation>les positions ne sont sur aucune grille carrée</translation>
-    </message>
-    <message>
-        <source>different places whose distances in x and y are multiples of one pitch</source>
-        <translation>des positions différentes dont les distances en x et y sont des multiples d’un même pas</translation>
-    </message>
-    <message>
         <source>a taxel tells its load or three components</source>
         <translation>un taxel donne sa charge ou trois composantes</translation>
     </message>
@@ -14101,14 +14125,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
         <translation>chaque axe une fois avec son signe, comme [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</translation>
-    </message>
-    <message>
-        <source>the taxels are %1 mm apart in x and %2 mm in y</source>
-        <translation>les taxels sont espacés de %1 mm en x et de %2 mm en y</translation>
-    </message>
-    <message>
-        <source>square cells</source>
-        <translation>des cellules carrées</translation>
     </message>
     <message>
         <source>these are no places without a taxel</source>
@@ -14186,6 +14202,34 @@ Lancez teleta-site --help pour en savoir plus.
         <source>frames as the file describes; check with teleta devices --probe FILE</source>
         <translation>des trames telles que le fichier les décrit&#xa0;; vérifiez avec teleta devices --probe FILE</translation>
     </message>
+    <message>
+        <source>there are %1 positions</source>
+        <translation>il y a %1 positions</translation>
+    </message>
+    <message>
+        <source>one entry a position</source>
+        <translation>une entrée par position</translation>
+    </message>
+    <message>
+        <source>at most %1; more of them on a grid</source>
+        <translation>au plus %1&#xa0;; davantage sur une grille</translation>
+    </message>
+    <message>
+        <source>a direction has no length</source>
+        <translation>une direction n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>other numbers than [0, 0, 0]</source>
+        <translation>d’autres nombres que [0, 0, 0]</translation>
+    </message>
+    <message>
+        <source>taxels %1 and %2 are at the same place</source>
+        <translation>les taxels %1 et %2 sont au même endroit</translation>
+    </message>
+    <message>
+        <source>different places; they count from 0</source>
+        <translation>des positions différentes&#xa0;; elles comptent à partir de 0</translation>
+    </message>
 </context>
 <context>
     <name>TekscanText</name>
@@ -14220,10 +14264,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>%1 rows x %2 columns, as was asked for</source>
         <translation>%1 lignes x&#xa0;%2 colonnes, comme demandé</translation>
-    </message>
-    <message>
-        <source>the distance of the rows, or one pitch for both (--pitch-mm)</source>
-        <translation>la distance entre les lignes, ou un seul pas pour les deux (--pitch-mm)</translation>
     </message>
     <message>
         <source>a number above 0 in mm2 or cm2</source>
@@ -15724,10 +15764,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>les cellules du capteur font %1 mm de large et %2 mm de haut</translation>
     </message>
     <message>
-        <source>square cells</source>
-        <translation>des cellules carrées</translation>
-    </message>
-    <message>
         <source>the sensor describes its array in %1 bytes</source>
         <translation>le capteur décrit sa matrice en %1 octets</translation>
     </message>
@@ -15762,6 +15798,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>timeout in the sensor</source>
         <translation>délai dépassé dans le capteur</translation>
+    </message>
+    <message>
+        <source>cells with a width and a height</source>
+        <translation>des cellules avec une largeur et une hauteur</translation>
     </message>
 </context>
 <context>
@@ -24418,10 +24458,6 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <translation>Carte de chaleur tactile</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;La charge de chaque taxel de la matrice, vue de l’extérieur de la peau&#xa0;: x pointe vers la droite, y vers le haut.&lt;/p&gt;&lt;p&gt;Les contours colorés sont des contacts, chacun avec le numéro sous lequel il est suivi. × est le centre de pression, ○ le centre de contact, le trait l’axe principal. Les taxels hachurés sont morts et ne portent pas de charge.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche toute la matrice. Double-cliquez sur l’échelle de couleurs pour saisir sa borne supérieure. Les touches fléchées lisent taxel par taxel.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&amp;Contacts</source>
         <translation>&amp;Contacts</translation>
     </message>
@@ -24506,6 +24542,18 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
 Double-click to type the upper end.</source>
         <translation>Charges de 0 à %1. Les taxels sous le seuil de %2 ne portent pas de contact.
 Double-cliquez pour saisir la borne supérieure.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load. Arrows are the force along the surface, of arrays that measure it; zoom in where taxels are too small for them.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;La charge de chaque taxel de la matrice, vue de l’extérieur de la peau&#xa0;: x pointe vers la droite, y vers le haut.&lt;/p&gt;&lt;p&gt;Les contours colorés sont des contacts, chacun avec le numéro sous lequel il est suivi. × est le centre de pression, ○ le centre de contact, le trait l’axe principal. Les taxels hachurés sont morts et ne portent pas de charge. Les flèches sont la force le long de la surface, si la matrice la mesure&#xa0;; agrandissez là où les taxels sont trop petits pour elles.&lt;/p&gt;&lt;p&gt;Ctrl+molette zoome, glisser déplace, un double clic affiche toute la matrice. Double-cliquez sur l’échelle de couleurs pour saisir sa borne supérieure. Les touches fléchées lisent taxel par taxel.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Shear</source>
+        <translation>&amp;Cisaillement</translation>
+    </message>
+    <message>
+        <source>Draw the force along the surface as arrows, of arrays that measure it</source>
+        <translation>Dessiner la force le long de la surface par des flèches, si la matrice la mesure</translation>
     </message>
 </context>
 <context>

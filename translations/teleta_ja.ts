@@ -5050,6 +5050,14 @@ Examples:
         <source>No new data: the last frame is shown.</source>
         <translation>新しいデータがありません。最後のフレームを表示しています。</translation>
     </message>
+    <message>
+        <source>shear</source>
+        <translation>せん断</translation>
+    </message>
+    <message>
+        <source>shear, a taxel&apos;s width is %1</source>
+        <translation>せん断、タクセルの幅が%1</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -5066,8 +5074,24 @@ Examples:
         <translation>接触なし</translation>
     </message>
     <message>
-        <source>row %1, column %2   %3   %4   x %5 mm, y %6 mm</source>
-        <translation>行%1、列%2   %3   %4   x %5 mm, y %6 mm</translation>
+        <source>no taxel</source>
+        <translation>タクセルなし</translation>
+    </message>
+    <message>
+        <source>shear %1</source>
+        <translation>せん断 %1</translation>
+    </message>
+    <message>
+        <source>row %1, column %2</source>
+        <translation>行%1、列%2</translation>
+    </message>
+    <message>
+        <source>taxel %1</source>
+        <translation>タクセル%1</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3   x %4 mm, y %5 mm</source>
+        <translation>%1   %2   %3   x %4 mm, y %5 mm</translation>
     </message>
 </context>
 <context>
@@ -13916,6 +13940,14 @@ Run teleta-site --help for more.
         <source>First frame in %1, the last row first</source>
         <translation>最初のフレーム (単位 %1)、最後の行が先頭</translation>
     </message>
+    <message>
+        <source>First frame: taxel, x and y in mm, and its x, y and z in %1</source>
+        <translation>最初のフレーム: タクセル、xとy (mm)、x、y、z成分 (%1)</translation>
+    </message>
+    <message>
+        <source>First frame: taxel, x and y in mm, and its load in %1</source>
+        <translation>最初のフレーム: タクセル、xとy (mm)、荷重 (%1)</translation>
+    </message>
 </context>
 <context>
     <name>TaxelsText</name>
@@ -14042,14 +14074,6 @@ Run teleta-site --help for more.
         <translation>「/sensors/0/data」のようなパス</translation>
     </message>
     <message>
-        <source>the places lie on no square grid</source>
-        <translation>位置が正方格子の上にありません</translation>
-    </message>
-    <message>
-        <source>different places whose distances in x and y are multiples of one pitch</source>
-        <translation>xとyの間隔が1つのピッチの倍数になる、互いに異なる位置</translation>
-    </message>
-    <message>
         <source>a taxel tells its load or three components</source>
         <translation>タクセルが示すのは荷重か3成分です</translation>
     </message>
@@ -14064,14 +14088,6 @@ Run teleta-site --help for more.
     <message>
         <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
         <translation>[&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]のように、各軸を符号付きで1回ずつ</translation>
-    </message>
-    <message>
-        <source>the taxels are %1 mm apart in x and %2 mm in y</source>
-        <translation>タクセルの間隔はxで%1 mm、yで%2 mmです</translation>
-    </message>
-    <message>
-        <source>square cells</source>
-        <translation>正方形のセル</translation>
     </message>
     <message>
         <source>these are no places without a taxel</source>
@@ -14149,6 +14165,34 @@ Run teleta-site --help for more.
         <source>frames as the file describes; check with teleta devices --probe FILE</source>
         <translation>ファイルに記述されたとおりのフレーム。teleta devices --probe FILEで確認してください</translation>
     </message>
+    <message>
+        <source>there are %1 positions</source>
+        <translation>位置は%1個あります</translation>
+    </message>
+    <message>
+        <source>one entry a position</source>
+        <translation>位置ごとに1つ</translation>
+    </message>
+    <message>
+        <source>at most %1; more of them on a grid</source>
+        <translation>最大%1個。それより多い場合は格子で</translation>
+    </message>
+    <message>
+        <source>a direction has no length</source>
+        <translation>長さのない方向があります</translation>
+    </message>
+    <message>
+        <source>other numbers than [0, 0, 0]</source>
+        <translation>[0, 0, 0]以外の数</translation>
+    </message>
+    <message>
+        <source>taxels %1 and %2 are at the same place</source>
+        <translation>タクセル%1と%2が同じ位置にあります</translation>
+    </message>
+    <message>
+        <source>different places; they count from 0</source>
+        <translation>異なる位置 (番号は0から)</translation>
+    </message>
 </context>
 <context>
     <name>TekscanText</name>
@@ -14183,10 +14227,6 @@ Run teleta-site --help for more.
     <message>
         <source>%1 rows x %2 columns, as was asked for</source>
         <translation>指定どおりの%1行 x %2列</translation>
-    </message>
-    <message>
-        <source>the distance of the rows, or one pitch for both (--pitch-mm)</source>
-        <translation>行の間隔、または行と列に共通のピッチ (--pitch-mm)</translation>
     </message>
     <message>
         <source>a number above 0 in mm2 or cm2</source>
@@ -15686,10 +15726,6 @@ Run teleta-site --help for more.
         <translation>センサーのセルは幅%1 mm、高さ%2 mmです</translation>
     </message>
     <message>
-        <source>square cells</source>
-        <translation>正方形のセル</translation>
-    </message>
-    <message>
         <source>the sensor describes its array in %1 bytes</source>
         <translation>センサーのアレイ記述が%1バイトです</translation>
     </message>
@@ -15724,6 +15760,10 @@ Run teleta-site --help for more.
     <message>
         <source>timeout in the sensor</source>
         <translation>センサー内のタイムアウト</translation>
+    </message>
+    <message>
+        <source>cells with a width and a height</source>
+        <translation>幅と高さのあるセル</translation>
     </message>
 </context>
 <context>
@@ -24347,10 +24387,6 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>触覚ヒートマップ</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;アレイの各タクセルの荷重を、皮膚の外側から見た向きで示します。xは右向き、yは上向きです。&lt;/p&gt;&lt;p&gt;色付きの輪郭線は接触で、それぞれ追跡番号が付いています。×は圧力中心、○は接触中心、線は主軸です。斜線のタクセルは不良で、荷重を持ちません。&lt;/p&gt;&lt;p&gt;Ctrl+ホイールで拡大・縮小、ドラッグで移動、ダブルクリックでアレイ全体を表示します。カラーバーをダブルクリックすると上端の値を入力できます。矢印キーでタクセルごとに値を読み取れます。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&amp;Contacts</source>
         <translation>接触(&amp;C)</translation>
     </message>
@@ -24435,6 +24471,18 @@ Enter what you assume on the left, and choose Plan.</source>
 Double-click to type the upper end.</source>
         <translation>0から%1までの荷重。しきい値%2未満のタクセルは接触とみなしません。
 ダブルクリックすると上端を入力できます。</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load. Arrows are the force along the surface, of arrays that measure it; zoom in where taxels are too small for them.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;アレイの各タクセルの荷重を、皮膚の外側から見た向きで示します。xは右向き、yは上向きです。&lt;/p&gt;&lt;p&gt;色付きの輪郭線は接触で、それぞれ追跡番号が付いています。×は圧力中心、○は接触中心、線は主軸です。斜線のタクセルは不良で、荷重を持ちません。矢印は、アレイが測る場合の表面に沿う力です。タクセルが小さすぎて描かれないときは拡大してください。&lt;/p&gt;&lt;p&gt;Ctrl+ホイールで拡大・縮小、ドラッグで移動、ダブルクリックでアレイ全体を表示します。カラーバーをダブルクリックすると上端の値を入力できます。矢印キーでタクセルごとに値を読み取れます。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Shear</source>
+        <translation>せん断(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Draw the force along the surface as arrows, of arrays that measure it</source>
+        <translation>アレイが測る場合、表面に沿う力を矢印で描きます</translation>
     </message>
 </context>
 <context>

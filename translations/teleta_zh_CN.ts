@@ -5050,6 +5050,14 @@ Examples:
         <source>No new data: the last frame is shown.</source>
         <translation>没有新数据：显示的是最后一帧。</translation>
     </message>
+    <message>
+        <source>shear</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>shear, a taxel&apos;s width is %1</source>
+        <translation>剪切，触元宽度为 %1</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -5066,8 +5074,24 @@ Examples:
         <translation>无接触</translation>
     </message>
     <message>
-        <source>row %1, column %2   %3   %4   x %5 mm, y %6 mm</source>
-        <translation>行 %1，列 %2   %3   %4   x %5 mm，y %6 mm</translation>
+        <source>no taxel</source>
+        <translation>无触元</translation>
+    </message>
+    <message>
+        <source>shear %1</source>
+        <translation>剪切 %1</translation>
+    </message>
+    <message>
+        <source>row %1, column %2</source>
+        <translation>行 %1，列 %2</translation>
+    </message>
+    <message>
+        <source>taxel %1</source>
+        <translation>触元 %1</translation>
+    </message>
+    <message>
+        <source>%1   %2   %3   x %4 mm, y %5 mm</source>
+        <translation>%1   %2   %3   x %4 mm，y %5 mm</translation>
     </message>
 </context>
 <context>
@@ -13916,6 +13940,14 @@ Run teleta-site --help for more.
         <source>First frame in %1, the last row first</source>
         <translation>第一帧（单位 %1），最后一行在前</translation>
     </message>
+    <message>
+        <source>First frame: taxel, x and y in mm, and its x, y and z in %1</source>
+        <translation>第一帧：触元、x 和 y（mm）以及其 x、y、z 分量（%1）</translation>
+    </message>
+    <message>
+        <source>First frame: taxel, x and y in mm, and its load in %1</source>
+        <translation>第一帧：触元、x 和 y（mm）以及其载荷（%1）</translation>
+    </message>
 </context>
 <context>
     <name>TaxelsText</name>
@@ -14042,14 +14074,6 @@ Run teleta-site --help for more.
         <translation>如“/sensors/0/data”的路径</translation>
     </message>
     <message>
-        <source>the places lie on no square grid</source>
-        <translation>这些位置不在正方形网格上</translation>
-    </message>
-    <message>
-        <source>different places whose distances in x and y are multiples of one pitch</source>
-        <translation>x 和 y 方向间距为同一节距倍数的不同位置</translation>
-    </message>
-    <message>
         <source>a taxel tells its load or three components</source>
         <translation>一个触觉单元给出其载荷或三个分量</translation>
     </message>
@@ -14064,14 +14088,6 @@ Run teleta-site --help for more.
     <message>
         <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
         <translation>每个轴带符号出现一次，如 [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</translation>
-    </message>
-    <message>
-        <source>the taxels are %1 mm apart in x and %2 mm in y</source>
-        <translation>触觉单元在 x 方向间隔 %1 mm，在 y 方向间隔 %2 mm</translation>
-    </message>
-    <message>
-        <source>square cells</source>
-        <translation>正方形单元</translation>
     </message>
     <message>
         <source>these are no places without a taxel</source>
@@ -14149,6 +14165,34 @@ Run teleta-site --help for more.
         <source>frames as the file describes; check with teleta devices --probe FILE</source>
         <translation>与文件描述一致的帧；请用 teleta devices --probe FILE 检查</translation>
     </message>
+    <message>
+        <source>there are %1 positions</source>
+        <translation>有 %1 个位置</translation>
+    </message>
+    <message>
+        <source>one entry a position</source>
+        <translation>每个位置一项</translation>
+    </message>
+    <message>
+        <source>at most %1; more of them on a grid</source>
+        <translation>最多 %1 个；更多时请用网格</translation>
+    </message>
+    <message>
+        <source>a direction has no length</source>
+        <translation>有一个方向没有长度</translation>
+    </message>
+    <message>
+        <source>other numbers than [0, 0, 0]</source>
+        <translation>[0, 0, 0] 以外的数</translation>
+    </message>
+    <message>
+        <source>taxels %1 and %2 are at the same place</source>
+        <translation>触元 %1 和 %2 位于同一位置</translation>
+    </message>
+    <message>
+        <source>different places; they count from 0</source>
+        <translation>不同的位置；编号从 0 开始</translation>
+    </message>
 </context>
 <context>
     <name>TekscanText</name>
@@ -14183,10 +14227,6 @@ Run teleta-site --help for more.
     <message>
         <source>%1 rows x %2 columns, as was asked for</source>
         <translation>%1 行 x %2 列，与所请求的一致</translation>
-    </message>
-    <message>
-        <source>the distance of the rows, or one pitch for both (--pitch-mm)</source>
-        <translation>行间距，或行列共用的间距（--pitch-mm）</translation>
     </message>
     <message>
         <source>a number above 0 in mm2 or cm2</source>
@@ -15686,10 +15726,6 @@ Run teleta-site --help for more.
         <translation>传感器单元宽 %1 mm，高 %2 mm</translation>
     </message>
     <message>
-        <source>square cells</source>
-        <translation>正方形单元</translation>
-    </message>
-    <message>
         <source>the sensor describes its array in %1 bytes</source>
         <translation>传感器用 %1 字节描述其阵列</translation>
     </message>
@@ -15724,6 +15760,10 @@ Run teleta-site --help for more.
     <message>
         <source>timeout in the sensor</source>
         <translation>传感器超时</translation>
+    </message>
+    <message>
+        <source>cells with a width and a height</source>
+        <translation>有宽度和高度的单元</translation>
     </message>
 </context>
 <context>
@@ -24347,10 +24387,6 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>触觉热图</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;阵列中每个触元的载荷，从皮肤外侧看：x 向右，y 向上。&lt;/p&gt;&lt;p&gt;彩色轮廓线为接触，各带其跟踪编号。× 为压力中心，○ 为接触中心，直线为主轴。带斜线的触元已失效，不承载。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示整个阵列。双击颜色条可输入其上端。方向键逐个触元读数。&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&amp;Contacts</source>
         <translation>接触(&amp;C)</translation>
     </message>
@@ -24435,6 +24471,18 @@ Enter what you assume on the left, and choose Plan.</source>
 Double-click to type the upper end.</source>
         <translation>载荷从 0 到 %1。低于阈值 %2 的触元不属于接触。
 双击可输入上端。</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load. Arrows are the force along the surface, of arrays that measure it; zoom in where taxels are too small for them.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;阵列中每个触元的载荷，从皮肤外侧看：x 向右，y 向上。&lt;/p&gt;&lt;p&gt;彩色轮廓线为接触，各带其跟踪编号。× 为压力中心，○ 为接触中心，直线为主轴。带斜线的触元已失效，不承载。箭头是沿表面的力（限能测量它的阵列）；触元太小画不下时请放大。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示整个阵列。双击颜色条可输入其上端。方向键逐个触元读数。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Shear</source>
+        <translation>剪切(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Draw the force along the surface as arrows, of arrays that measure it</source>
+        <translation>用箭头画出沿表面的力（限能测量它的阵列）</translation>
     </message>
 </context>
 <context>

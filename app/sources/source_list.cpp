@@ -61,8 +61,10 @@ void describeRecording(Keys& keys, const std::string& listPath, CsvRequest& requ
                Need::optional);
     keys.whole("columns", request.layout.columns, side, "Taxels in a row; otherwise guessed from the file",
                Need::optional);
-    keys.number("pitch_m", request.layout.pitch_m, positive,
+    double pitch_m = request.layout.pitchX_m;
+    keys.number("pitch_m", pitch_m, positive,
                 "Distance between neighbouring taxels; otherwise that of the guessed array", Need::optional);
+    request.layout.setPitch_m(pitch_m);
     describePath(keys, "tare", listPath, request.tarePath,
                  "Recording of the unloaded array; otherwise a file beside it whose name says empty",
                  Need::optional);

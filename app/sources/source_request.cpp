@@ -228,7 +228,7 @@ core::Expected<Opened> openWts(const WtsRequest& request) {
     pipeline::ChannelSettings settings =
         settingsFor(request.threshold.value_or(kThresholdShare * fullScale), request.loadUnit);
     settings.conditioning.gain = request.gain;
-    TELETA_CHECK(takeGains(request.gainsPath, source->description().layout, settings));
+    TELETA_CHECK(takeGains(request.gainsPath, source->description().layout.grid(), settings));
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
 }
 
@@ -243,7 +243,8 @@ core::Expected<Opened> openTaxels(const TaxelsRequest& request, const std::funct
     if (auto* ros = std::get_if<ros_array::RosArrayFile>(&described))
         return openRosArray(std::move(*ros));
     auto& file = std::get<taxels::TaxelsFile>(described);
-    pipeline::ChannelSettings settings = settingsFor(file.touchedFrom(), file.grid.unit());
+    pipeline::ChannelSettings settings = settingsFor(file.touchedFrom(), file.grid.loadUnit());
+    settings.conditioning.gain = file.grid.newtonsPerUnit().value_or(1.0);
     if (file.restFrames > 0) {
         TELETA_TRY(settings.conditioning.tare, taxels::measureRest(file, cancelled));
     }

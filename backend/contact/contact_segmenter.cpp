@@ -357,8 +357,8 @@ void ContactSegmenter::number() {
         Basin& basin = m_basins[index];
         basin.region = static_cast<std::int32_t>(m_contacts.size()) + 1;
         m_contacts.push_back({.region = basin.region,
-                              .x_m = m_layout.pitch_m * (basin.loadX / basin.load),
-                              .y_m = m_layout.pitch_m * (basin.loadY / basin.load),
+                              .x_m = m_layout.pitchX_m * (basin.loadX / basin.load),
+                              .y_m = m_layout.pitchY_m * (basin.loadY / basin.load),
                               .force_N = basin.load,
                               .peak_N = static_cast<double>(m_load[basin.summit]),
                               .area_m2 = basin.taxels * m_layout.taxelArea_m2(),

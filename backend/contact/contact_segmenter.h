@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/contact/shear_load.h"
 #include "backend/core/data/array_layout.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct Contact {
     double area_m2 = 0.0;
     int taxels = 0;
     int minRow = 0, maxRow = 0, minColumn = 0, maxColumn = 0; ///< bounding box, inclusive
+    std::optional<ShearLoad> shear{};                         ///< of frames of vectors
 };
 
 struct SegmentationSettings {

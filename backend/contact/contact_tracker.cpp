@@ -31,9 +31,9 @@ std::size_t indexOf(const std::vector<std::size_t>& sorted, std::size_t value) {
 
 } // namespace
 
-TrackingSettings trackingFor(const core::ArrayLayout& layout) {
+TrackingSettings trackingFor(const core::TaxelLayout& layout) {
     TrackingSettings settings;
-    settings.gate_m = std::max(settings.gate_m, 2.0 * layout.pitch_m);
+    settings.gate_m = std::max(settings.gate_m, 2.0 * layout.pitch_m());
     return settings;
 }
 

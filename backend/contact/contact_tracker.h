@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/contact/contact_segmenter.h"
+#include "backend/core/data/taxel_layout.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@ struct TrackingSettings {
 
 /// The default settings with a gate that fits an array: two taxels, at least 15 mm, from one frame to the
 /// next.
-[[nodiscard]] TrackingSettings trackingFor(const core::ArrayLayout& layout);
+[[nodiscard]] TrackingSettings trackingFor(const core::TaxelLayout& layout);
 
 /// Gives contacts an identity that is stable from frame to frame, by optimal assignment between the contacts
 /// of this frame and the remembered ones:

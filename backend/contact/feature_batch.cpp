@@ -20,14 +20,15 @@ struct BlockFeatures {
     using Each = BlockMoments::Each<T>;
 
     Each<double> copX_m, copY_m, cocX_m, cocY_m, lambda1_m2, lambda2_m2;
-    Each<double> lambda1, lambda2;              ///< taxels^2; 0 for less than two taxels
+    Each<double> lambda1, lambda2;              ///< widths of a cell^2; 0 for less than two taxels
     Each<double> xy, difference, root, rounded; ///< of the covariance; it has an axis when root > rounded
 };
 
 /// The formulas of FeatureExtractor and principalAxis(), in loops without a branch, which compilers turn into
 /// vector instructions. No divisor is 0, which would raise a floating-point exception.
 void describeBlock(const BlockMoments& moments, const core::ArrayLayout& layout, BlockFeatures& out) {
-    const double pitch_m = layout.pitch_m;
+    const double aspect = layout.aspect();
+    const double pitch_m = layout.pitchX_m;
     const std::int32_t columns = layout.columns;
     const std::int32_t rows = layout.rows;
     BlockMoments::Each<double> sum, taxels, pairs;
@@ -38,25 +39,24 @@ void describeBlock(const BlockMoments& moments, const core::ArrayLayout& layout,
     }
     for (std::size_t i = 0; i < kBlockFrames; ++i) {
         const std::int32_t n = moments.active[i];
-        out.copX_m[i] = pitch_m * (moments.sumX[i] / sum[i]);
-        out.copY_m[i] = pitch_m * (moments.sumY[i] / sum[i]);
-        out.cocX_m[i] = pitch_m * ((2 * moments.x[i] - n * (columns - 1)) / (2.0 * taxels[i]));
-        out.cocY_m[i] = pitch_m * ((2 * moments.y[i] - n * (rows - 1)) / (2.0 * taxels[i]));
+        out.copX_m[i] = layout.pitchX_m * (moments.sumX[i] / sum[i]);
+        out.copY_m[i] = layout.pitchY_m * (moments.sumY[i] / sum[i]);
+        out.cocX_m[i] = layout.pitchX_m * ((2 * moments.x[i] - n * (columns - 1)) / (2.0 * taxels[i]));
+        out.cocY_m[i] = layout.pitchY_m * ((2 * moments.y[i] - n * (rows - 1)) / (2.0 * taxels[i]));
     }
     for (std::size_t i = 0; i < kBlockFrames; ++i) {
         const double n = moments.active[i];
         const double x = moments.x[i];
         const double y = moments.y[i];
-        // All exact: see fitsBlock().
+        // All exact where the cells are square: see fitsBlock().
         const double xx = n * moments.xx[i] - x * x;
-        const double xy = n * moments.xy[i] - x * y;
-        const double yy = n * moments.yy[i] - y * y;
+        const double xy = aspect * (n * moments.xy[i] - x * y);
+        const double yy = aspect * aspect * (n * moments.yy[i] - y * y);
         const double trace = xx + yy;
         const double difference = xx - yy;
         const double root = std::sqrt(difference * difference + 4.0 * xy * xy);
         const double larger = 0.5 * (trace + root);
-        // The numbers are whole: of two taxels or more, larger is 0.5 at least.
-        const double smaller = (xx * yy - xy * xy) / std::max(larger, 0.5);
+        const double smaller = (xx * yy - xy * xy) / (larger > 0.0 ? larger : 1.0);
         const double scale = 1.0 / pairs[i];
         out.lambda1[i] = larger * scale;
         out.lambda2[i] = smaller * scale;

@@ -10,9 +10,10 @@ namespace teleta::contact {
 
 /// How raw taxel values are converted to loads.
 struct ConditioningSettings {
-    std::vector<float> tare; ///< raw value of each taxel without load; empty: zero. NaN marks a dead taxel
-    double gain = 1.0;       ///< N (or the unit shown) per raw unit; finite, not zero
-    bool inverted = false;   ///< the raw value decreases under load
+    /// Raw value of each taxel without load, of vectors three each; empty: zero. NaN marks a dead taxel.
+    std::vector<float> tare;
+    double gain = 1.0;     ///< N (or the unit shown) per raw unit; finite, not zero
+    bool inverted = false; ///< the raw value decreases under load
     /// Factor on each taxel's load that makes all taxels read the same under the same load
     /// (findTaxelGains()); empty: 1. NaN marks a dead taxel.
     std::vector<float> taxelGain = {};

@@ -45,18 +45,19 @@ std::optional<Summit> paraboloidSummit(std::span<const float> load_N, const core
     if (active < kFewestTaxels || minRow == maxRow || minColumn == maxColumn || !std::isfinite(peak_N))
         return std::nullopt;
 
-    // In taxels from the middle of the active ones and in shares of the peak, so that all numbers are of
-    // order one.
+    // In widths of a taxel from the middle of the active ones and in shares of the peak, so that all numbers
+    // are of order one.
     const double middleRow = 0.5 * (minRow + maxRow);
     const double middleColumn = 0.5 * (minColumn + maxColumn);
-    const double reach = 0.5 * std::max(maxRow - minRow, maxColumn - minColumn);
+    const double aspect = layout.aspect();
+    const double reach = 0.5 * std::max(aspect * (maxRow - minRow), 1.0 * (maxColumn - minColumn));
     const auto visit = [&](const auto& take) {
         for (int row = minRow; row <= maxRow; ++row)
             for (int column = minColumn; column <= maxColumn; ++column) {
                 if (!isActive(index(row, column)))
                     continue;
                 const double x = (column - middleColumn) / reach;
-                const double y = (row - middleRow) / reach;
+                const double y = aspect * (row - middleRow) / reach;
                 const double share =
                     static_cast<double>(load_N[index(row, column)]) / static_cast<double>(peak_N);
                 take(share, Eigen::Vector4d(1.0, x, y, x * x + y * y));
@@ -81,7 +82,7 @@ std::optional<Summit> paraboloidSummit(std::span<const float> load_N, const core
     const double x = -fit[1] / (2.0 * fit[3]);
     const double y = -fit[2] / (2.0 * fit[3]);
     const double column = middleColumn + reach * x;
-    const double row = middleRow + reach * y;
+    const double row = middleRow + reach * y / aspect;
     if (!(column >= minColumn - 0.5 && column <= maxColumn + 0.5 && row >= minRow - 0.5 &&
           row <= maxRow + 0.5))
         return std::nullopt;
@@ -107,7 +108,7 @@ std::optional<Summit> paraboloidSummit(std::span<const float> load_N, const core
     const double variance =
         std::max(noise * noise, squares / weights * active / std::max(1, active - kFewestTaxels + 1));
     const Eigen::Matrix4d covariance = variance * solved.solve(solved.solve(spread).transpose());
-    const double scale_m = reach * layout.pitch_m / (-2.0 * fit[3]);
+    const double scale_m = reach * layout.pitchX_m / (-2.0 * fit[3]);
     const Eigen::Vector4d towardsX(0.0, 1.0, 0.0, 2.0 * x);
     const Eigen::Vector4d towardsY(0.0, 0.0, 1.0, 2.0 * y);
     summit.xSe_m = scale_m * std::sqrt(towardsX.dot(covariance * towardsX));
@@ -139,7 +140,8 @@ std::optional<Summit> stripSummit(std::span<const float> load_N, const core::Arr
                   .xSe_m = {},
                   .ySe_m = {}};
     if (noise_N)
-        (isRow ? summit.xSe_m : summit.ySe_m) = layout.pitch_m * patch->centreSe(*noise_N);
+        (isRow ? summit.xSe_m : summit.ySe_m) =
+            (isRow ? layout.pitchX_m : layout.pitchY_m) * patch->centreSe(*noise_N);
     return summit;
 }
 

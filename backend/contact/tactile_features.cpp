@@ -87,30 +87,33 @@ TactileFeatures FeatureExtractor::compute(std::span<const float> load_N, std::sp
         moments = momentsOf(values.data(), shape, threshold_N, activeOnly);
     }
 
-    const double pitch_m = m_layout.pitch_m;
     features.force_N = moments.sum;
     features.peak_N = static_cast<double>(moments.peak);
     features.active = static_cast<int>(moments.active);
     // Without a contact the sum, and therefore its centre, is only noise.
     if (moments.active > 0) {
-        features.copX_m = pitch_m * (moments.sumX / moments.sum);
-        features.copY_m = pitch_m * (moments.sumY / moments.sum);
+        features.copX_m = m_layout.pitchX_m * (moments.sumX / moments.sum);
+        features.copY_m = m_layout.pitchY_m * (moments.sumY / moments.sum);
         // Twice the distance from the centre is a whole number, so a symmetric contact gives exactly 0.
         const auto twice = 2.0 * static_cast<double>(moments.active);
         features.cocX_m =
-            pitch_m * (static_cast<double>(2 * moments.x - moments.active * (m_layout.columns - 1)) / twice);
-        features.cocY_m =
-            pitch_m * (static_cast<double>(2 * moments.y - moments.active * (m_layout.rows - 1)) / twice);
+            m_layout.pitchX_m *
+            (static_cast<double>(2 * moments.x - moments.active * (m_layout.columns - 1)) / twice);
+        features.cocY_m = m_layout.pitchY_m *
+                          (static_cast<double>(2 * moments.y - moments.active * (m_layout.rows - 1)) / twice);
         features.dzmpX_m = *features.copY_m - *features.cocY_m;
         features.dzmpY_m = *features.copX_m - *features.cocX_m;
     }
     PrincipalAxis axis;
     if (moments.active > 1) {
         const bool weighted = m_settings.orientation == OrientationMode::weighted;
-        axis = principalAxis(weighted ? weightedCovariance(values, shape, threshold_N)
-                                      : binarisedCovariance(moments));
-        features.lambda1_m2 = axis.lambda1 * pitch_m * pitch_m;
-        features.lambda2_m2 = axis.lambda2 * pitch_m * pitch_m;
+        Covariance covariance =
+            weighted ? weightedCovariance(values, shape, threshold_N) : binarisedCovariance(moments);
+        covariance.xy *= m_layout.aspect();
+        covariance.yy *= m_layout.aspect() * m_layout.aspect();
+        axis = principalAxis(covariance);
+        features.lambda1_m2 = axis.lambda1 * m_layout.pitchX_m * m_layout.pitchX_m;
+        features.lambda2_m2 = axis.lambda2 * m_layout.pitchX_m * m_layout.pitchX_m;
         features.alphaZ_rad = axis.angle_rad;
     }
     features.type = typeOf(moments.active, axis.lambda1, axis.lambda2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/contact/shear_load.h"
 #include "backend/core/data/array_layout.h"
 
 #include <cstdint>
@@ -51,10 +52,11 @@ struct TactileFeatures {
     std::optional<double>
         lambda1_m2; ///< eigenvalues of the covariance, lambda1 >= lambda2; need two active taxels
     std::optional<double> lambda2_m2;
-    int active = 0;           ///< number of taxels at or above the threshold
-    int dead = 0;             ///< number of taxels left out because they are dead or not finite
-    double peak_N = 0.0;      ///< largest load
-    double threshold_N = 0.0; ///< the threshold used
+    std::optional<ShearLoad> shear; ///< of a frame of vectors in which something touches
+    int active = 0;                 ///< number of taxels at or above the threshold
+    int dead = 0;                   ///< number of taxels left out because they are dead or not finite
+    double peak_N = 0.0;            ///< largest load
+    double threshold_N = 0.0;       ///< the threshold used
 };
 
 /// Computes the features of frames of one stream.

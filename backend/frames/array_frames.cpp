@@ -268,7 +268,7 @@ core::Expected<core::ArrayLayout> layoutOf(const FrameRequest& request, std::uin
         if (taxels < 1 || layout.rows > kMost || layout.columns > kMost ||
             taxels > static_cast<std::uint64_t>(kMost) * kMost)
             return wrong({}, has(), ArrayFramesText::tr("from 1 to %1 rows and columns").arg(kMost));
-        layout.pitch_m = core::ArrayLayout{}.pitch_m;
+        layout.setPitch_m(core::ArrayLayout{}.pitchX_m);
         return layout;
     }
     layout.rows = request.rows.value_or(layout.rows);
@@ -369,7 +369,7 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     }
     TELETA_CHECK(checkTimes(series.time_s, file.path()));
     series.hasPitch = pitch_m.has_value();
-    series.layout.pitch_m = pitch_m.value_or(series.layout.pitch_m);
+    series.layout.setPitch_m(pitch_m.value_or(series.layout.pitchX_m));
     TELETA_TRY(std::vector<float> values, readValues(file, array, *count, goOn));
     series.values =
         turned(std::move(values), wayOf(head, axis, series.layout.taxels(), series.layout.columns));

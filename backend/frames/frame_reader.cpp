@@ -139,7 +139,7 @@ core::Expected<FrameReader> FrameReader::open(const FrameRequest& given, const G
     }
     layout.rows = request.rows.value_or(layout.rows);
     layout.columns = request.columns.value_or(layout.columns);
-    layout.pitch_m = request.pitch_m.value_or(layout.pitch_m);
+    layout.setPitch_m(request.pitch_m.value_or(layout.pitchX_m));
     core::Expected<core::FrameFile> file = core::FrameFile::open(request.path, layout);
     if (!file)
         return withOptions(file.error(), request.path, fromPipe);

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] core::Expected<bool> next(double& time_s, std::span<float> values);
 
     [[nodiscard]] const core::ArrayLayout& layout() const { return m_layout; }
-    /// Whether the file or the request tells layout().pitch_m.
+    /// Whether the file or the request tells the pitches of layout().
     [[nodiscard]] bool hasPitch() const { return m_hasPitch; }
     /// Of the values, as the file tells it; empty: it does not.
     [[nodiscard]] const std::string& unit() const { return m_unit; }

@@ -19,7 +19,7 @@ namespace teleta::frames {
 /// All frames of a file. NaN: a dead taxel, or a place outside of the sensor.
 struct FrameSeries {
     core::ArrayLayout layout{};
-    bool hasPitch = false;        ///< the file or the request says layout.pitch_m
+    bool hasPitch = false;        ///< the file or the request says the pitches of the layout
     std::string unit{};           ///< of the values, as the file says; empty: not told
     std::vector<double> time_s{}; ///< finite, never decreasing
     std::vector<float> values{};  ///< time_s.size() x layout.taxels(), row-major

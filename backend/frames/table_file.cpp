@@ -209,7 +209,7 @@ public:
         }
         series.layout = *layout;
         series.hasPitch = m_request.pitch_m.has_value();
-        series.layout.pitch_m = m_request.pitch_m.value_or(series.layout.pitch_m);
+        series.layout.setPitch_m(m_request.pitch_m.value_or(series.layout.pitchX_m));
         TELETA_CHECK(setUnit());
         if (m_time && m_request.rate_Hz)
             return core::failed(core::ErrorKind::badInput, TableText::tr("a column of times and a rate"),

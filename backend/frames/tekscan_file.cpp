@@ -173,14 +173,11 @@ private:
         if (row_m && column_m)
             m_area_m2 = *row_m * *column_m;
         if (m_request.pitch_m) {
-            layout.pitch_m = *m_request.pitch_m;
+            layout.setPitch_m(*m_request.pitch_m);
             m_series.hasPitch = true;
         } else if (row_m && column_m) {
-            if (std::abs(*row_m - *column_m) > 1e-6 * *row_m)
-                return wrongKey(
-                    "COL_SPACING",
-                    TekscanText::tr("the distance of the rows, or one pitch for both (--pitch-mm)"));
-            layout.pitch_m = *row_m;
+            layout.pitchX_m = *column_m;
+            layout.pitchY_m = *row_m;
             m_series.hasPitch = true;
         }
         if (const Value* area = key("SENSEL_AREA")) {

@@ -15,7 +15,7 @@ struct RosType {
 };
 
 /// Those of teleta_msgs that have a field a column are made of the columns.
-constexpr std::array<RosType, 14> kTypes{{
+constexpr std::array<RosType, 16> kTypes{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"foxglove_msgs/Log", "uint8 UNKNOWN=0\n"
                           "uint8 DEBUG=1\n"
@@ -45,6 +45,27 @@ constexpr std::array<RosType, 14> kTypes{{
                                "float64[] position\n"
                                "float64[] velocity\n"
                                "float64[] effort\n"},
+    {"sensor_msgs/PointCloud2", "std_msgs/Header header\n"
+                                "uint32 height\n"
+                                "uint32 width\n"
+                                "PointField[] fields\n"
+                                "bool is_bigendian\n"
+                                "uint32 point_step\n"
+                                "uint32 row_step\n"
+                                "uint8[] data\n"
+                                "bool is_dense\n"},
+    {"sensor_msgs/PointField", "uint8 INT8=1\n"
+                               "uint8 UINT8=2\n"
+                               "uint8 INT16=3\n"
+                               "uint8 UINT16=4\n"
+                               "uint8 INT32=5\n"
+                               "uint8 UINT32=6\n"
+                               "uint8 FLOAT32=7\n"
+                               "uint8 FLOAT64=8\n"
+                               "string name\n"
+                               "uint32 offset\n"
+                               "uint8 datatype\n"
+                               "uint32 count\n"},
     {"std_msgs/Float32MultiArray", "MultiArrayLayout layout\nfloat32[] data\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},

@@ -7,24 +7,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
 
 namespace teleta::pipeline {
 
+namespace {
+
+contact::AnalysisSettings analysisOf(const ChannelSettings& settings) {
+    return {settings.conditioning, settings.features, settings.segmentation};
+}
+
+} // namespace
+
 TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings,
                            std::shared_ptr<servo::ServoLink> servo)
     : m_source(std::move(source))
     , m_servo(std::move(servo))
     , m_settings(std::move(settings))
-    , m_conditioner(m_source->description().layout.taxels(), m_settings.conditioning)
-    , m_features(m_source->description().layout, m_settings.features)
-    , m_segmenter(m_source->description().layout, m_settings.segmentation)
-    , m_tracker(contact::trackingFor(m_source->description().layout))
+    , m_analysis(m_source->description().layout, analysisOf(m_settings))
     , m_samples(kHistorySamples) {
-    const core::ArrayLayout& layout = m_source->description().layout;
+    const core::TaxelLayout& layout = m_source->description().layout;
     m_current.layout = layout;
     m_current.loadUnit = m_settings.loadUnit;
     m_current.load_N.resize(layout.taxels());
@@ -76,19 +80,18 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
     // go.
     core::BoundedQueue<core::SampleBlock>& blocks = m_source->blocks();
     for (std::size_t waiting = blocks.size(); waiting > 0 && blocks.pop(m_block); --waiting) {
-        if (m_block.channels != m_current.layout.taxels()) {
+        if (m_block.channels != m_current.layout.values()) {
             m_block = {};
             continue;
         }
         if (m_block.discontinuity) {
-            m_tracker.reset();
-            m_features.reset();
+            m_analysis.reset();
         }
         m_recordedFeatures.clear();
         for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
             if (isTapped)
-                std::ranges::copy(featureValues(m_current.features), std::back_inserter(m_recordedFeatures));
+                appendFeatures(m_current.features, m_current.layout.isVector(), m_recordedFeatures);
             if (onFrame)
                 onFrame(m_current);
         }
@@ -134,7 +137,7 @@ std::shared_ptr<const TouchTaps> TouchChannel::tapsInto(recording::StreamSink& s
                                                         const ChannelSettings& inUse) const {
     auto taps = std::make_shared<TouchTaps>();
     taps->frames = sink.addStream(arrayStream(framesStreamName(name), description(), inUse));
-    taps->features = sink.addStream(featureStream(name + "-features", description()));
+    taps->features = sink.addStream(featureStream(name + "-features", description(), inUse.loadUnit));
     return taps;
 }
 
@@ -174,8 +177,8 @@ bool TouchChannel::takeCommands() {
         if (!request->clear) {
             m_tareRun = std::make_unique<TareRun>();
             m_tareRun->duration_s = request->duration_s;
-            m_tareRun->sum.resize(m_current.layout.taxels());
-            m_tareRun->count.resize(m_current.layout.taxels());
+            m_tareRun->sum.resize(m_current.layout.values());
+            m_tareRun->count.resize(m_current.layout.values());
         } else {
             ChannelSettings cleared = m_settings;
             cleared.conditioning.tare.clear();
@@ -187,9 +190,7 @@ bool TouchChannel::takeCommands() {
 
 void TouchChannel::applySettings(ChannelSettings settings) {
     m_settings = std::move(settings);
-    m_conditioner = contact::FrameConditioner(m_current.layout.taxels(), m_settings.conditioning);
-    m_features.setSettings(m_settings.features);
-    m_segmenter.setSettings(m_settings.segmentation);
+    m_analysis.setSettings(analysisOf(m_settings));
     m_current.loadUnit = m_settings.loadUnit;
     m_settingsInUse.set(m_settings);
     m_revision.fetch_add(1, std::memory_order_acq_rel);
@@ -210,14 +211,7 @@ void TouchChannel::analyse(const core::SampleBlock& block, std::size_t index) {
     m_current.frame = block.firstFrame + index;
     m_current.time_ns = block.time_ns[index];
     m_current.sourceTime_s = block.sourceTime_s[index];
-    const std::size_t dead = m_conditioner.apply(block.frame(index), m_current.load_N, m_current.dead);
-
-    const auto contacts = m_segmenter.segment(m_current.load_N, m_current.dead);
-    m_tracker.assign(contacts, m_current.sourceTime_s);
-    m_current.contacts.assign(contacts.begin(), contacts.end());
-
-    m_current.features = m_features.compute(m_current.load_N, m_current.dead);
-    m_current.features.dead = static_cast<int>(dead);
+    m_analysis.analyse(block.frame(index), m_current.sourceTime_s, m_current);
     m_current.threshold_N = m_current.features.threshold_N;
 }
 
@@ -250,7 +244,7 @@ void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t in
 }
 
 void TouchChannel::publish() {
-    const auto labels = m_segmenter.labels();
+    const auto labels = m_analysis.labels();
     m_current.labels.assign(labels.begin(), labels.end());
     m_snapshots.back() = m_current;
     m_snapshots.publish();

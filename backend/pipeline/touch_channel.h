@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/contact/contact_tracker.h"
+#include "backend/contact/taxels/frame_analysis.h"
 #include "backend/core/device/device.h"
 #include "backend/core/device/stream_tap.h"
 #include "backend/core/threads/bounded_queue.h"
@@ -142,10 +142,7 @@ private:
     core::LatestCopy<std::shared_ptr<core::StreamTap>> m_collector;
     std::vector<double> m_recordedFeatures; ///< of the block at hand
 
-    contact::FrameConditioner m_conditioner;
-    contact::FeatureExtractor m_features;
-    contact::ContactSegmenter m_segmenter;
-    contact::ContactTracker m_tracker;
+    contact::FrameAnalysis m_analysis;
     std::unique_ptr<TareRun> m_tareRun;
 
     TouchSnapshot m_current;

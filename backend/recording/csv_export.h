@@ -32,7 +32,7 @@ struct ExportOptions {
 
 /// Writes each stream as NAME.csv, events.csv, and recording.json, into a folder, which is created if
 /// missing. Equal names get numbers. Times are since the start of the recording, from the steady clock.
-/// - array: time_s,t0,t1,... as `teleta features` reads them
+/// - array: time_s,t0,t1,... as `teleta features` reads them; of vectors time_s,t0_x,t0_y,t0_z,t1_x,...
 /// - joints: time_s,joint_angle_rad,joint_torque_nm,q1,... the elbow first, as `teleta stiffness` reads it
 /// - features: time_s,contact_type,force_n,... as `teleta features` writes them
 /// - camera: time_s,frame_time_s,width_px,height_px, the pictures' times

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/recording/stream_columns.h"
 
+#include "backend/core/data/column_unit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,11 @@ namespace teleta::recording {
 bool isColour(const StreamInfo& stream) {
     constexpr std::size_t kColours = 3;
     return stream.type == ValueType::grey8 && stream.shape.size() == 3 && stream.shape[2] == kColours;
+}
+
+bool isVectorArray(const StreamInfo& stream) {
+    return stream.kind == StreamKind::array && stream.shape.size() == 2 && stream.shape[1] == 3 &&
+           stream.columns.size() == stream.channels();
 }
 
 StreamInfo jointStream(double nominalRate_Hz, std::size_t joints) {
@@ -60,11 +67,20 @@ core::JointSample jointSample(std::span<const double> values) {
     return sample;
 }
 
-const std::vector<Column>& featureColumns() {
-    static const std::vector<Column> columns{
-        {"contact_type", ""},   {"force_n", "N"},     {"cop_x_m", "m"},     {"cop_y_m", "m"},
-        {"coc_x_m", "m"},       {"coc_y_m", "m"},     {"dzmp_x_m", "m"},    {"dzmp_y_m", "m"},
-        {"alpha_z_rad", "rad"}, {"lambda1_m2", "m2"}, {"lambda2_m2", "m2"}, {"active", ""}};
+std::vector<Column> featureColumns(const std::string& loadUnit, bool vectors) {
+    const std::string load = "_" + core::columnUnit(loadUnit);
+    const std::string unit = loadUnit.empty() ? core::columnUnit(loadUnit) : loadUnit;
+    std::vector<Column> columns{{"contact_type", ""}, {"force" + load, unit}, {"cop_x_m", "m"},
+                                {"cop_y_m", "m"},     {"coc_x_m", "m"},       {"coc_y_m", "m"},
+                                {"dzmp_x_m", "m"},    {"dzmp_y_m", "m"},      {"alpha_z_rad", "rad"},
+                                {"lambda1_m2", "m2"}, {"lambda2_m2", "m2"},   {"active", ""}};
+    if (!vectors)
+        return columns;
+    const bool isForce = loadUnit == "N"; // "_nm" is the newton metre, and "_n_m" would be none
+    columns.push_back({"shear_x" + load, unit});
+    columns.push_back({"shear_y" + load, unit});
+    columns.push_back({"moment_z" + load + (isForce ? "m" : "_m"), isForce ? "Nm" : unit + " m"});
+    columns.push_back({"friction_ratio", ""});
     return columns;
 }
 

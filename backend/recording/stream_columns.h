@@ -16,6 +16,9 @@ namespace teleta::recording {
 /// Whether the pictures of a stream are in colour: each has the bytes of core::bytesOf().
 [[nodiscard]] bool isColour(const StreamInfo& stream);
 
+/// Whether the frames of an array are vectors, three values a taxel: "t0_x", "t0_y", "t0_z", "t1_x", ...
+[[nodiscard]] bool isVectorArray(const StreamInfo& stream);
+
 /// Kinds of value in a stream of joint samples: first all angles, then all torques, then all references.
 inline constexpr std::size_t kJointKinds = 3;
 
@@ -31,8 +34,9 @@ inline constexpr std::size_t kJointKinds = 3;
 /// The angles, torques and references of a joint sample, back from its stream. values: of a whole sample.
 [[nodiscard]] core::JointSample jointSample(std::span<const double> values);
 
-/// The columns of a stream of features, in order.
-[[nodiscard]] const std::vector<Column>& featureColumns();
+/// The columns of a stream of features, in order. loadUnit: of the loads; another one than N stands in the
+/// names of what is made of them ("force_counts"). vectors: the array tells the shear as well.
+[[nodiscard]] std::vector<Column> featureColumns(const std::string& loadUnit = "N", bool vectors = false);
 
 /// The columns of a stream of touches, in order.
 [[nodiscard]] const std::vector<Column>& touchColumns();

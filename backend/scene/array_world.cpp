@@ -31,7 +31,9 @@ void describeLayout(Keys& keys, core::ArrayLayout& layout) {
     const core::WholeRange side{1, core::ArrayLayout::kMaximumSide};
     keys.whole("rows", layout.rows, side, "Rows of taxels");
     keys.whole("columns", layout.columns, side, "Taxels in a row");
-    keys.number("pitch_m", layout.pitch_m, kPositive, "Distance between neighbouring taxels");
+    double pitch_m = layout.pitchX_m;
+    keys.number("pitch_m", pitch_m, kPositive, "Distance between neighbouring taxels");
+    layout.setPitch_m(pitch_m);
 }
 
 void describeReadings(Keys& keys, double& fullScale_N, double& firingThreshold_N) {

@@ -52,9 +52,9 @@ void HousingRimSpec::describeKeys(Keys& keys, const core::ArrayLayout& layout) {
     keys.number("stiffness_N_per_m", stiffness_NPerM, kPositive,
                 "Stiffness of a piece of the rim that is as long as a pitch");
     keys.number("recess_m", recess_m, kNotNegative, "How far the rim lies below the surface of the array");
-    keys.number("length_m", length_m, {.low = layout.columns * layout.pitch_m, .lowIs = "columns * pitch_m"},
+    keys.number("length_m", length_m, {.low = layout.columns * layout.pitchX_m, .lowIs = "columns * pitch_m"},
                 "Length of the housing, along x");
-    keys.number("width_m", width_m, {.low = layout.rows * layout.pitch_m, .lowIs = "rows * pitch_m"},
+    keys.number("width_m", width_m, {.low = layout.rows * layout.pitchY_m, .lowIs = "rows * pitch_m"},
                 "Width of the housing, along y");
 }
 

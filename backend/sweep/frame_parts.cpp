@@ -72,7 +72,7 @@ core::Expected<void> FrameParts::write(const std::string& path) {
                             NpzArray("contact_object", {m}, whole(m_object)),
                             NpzArray("contact_identity", {m}, whole(m_identity)),
                             NpzArray("layout", {2}, std::span<const std::int64_t>(layout)),
-                            NpzArray("pitch_m", {}, std::span<const double>(&m_layout.pitch_m, 1))};
+                            NpzArray("pitch_m", {}, std::span<const double>(&m_layout.pitchX_m, 1))};
     TELETA_CHECK(frames::writeNpz(path, arrays));
     cutTo({});
     return {};

@@ -28,7 +28,7 @@ public:
     /// Frames of another array do not fit into the same file.
     [[nodiscard]] bool takes(const core::ArrayLayout& layout) const {
         return m_time_s.empty() || (layout.rows == m_layout.rows && layout.columns == m_layout.columns &&
-                                    layout.pitch_m == m_layout.pitch_m);
+                                    layout.pitchX_m == m_layout.pitchX_m);
     }
     void beginRun(std::uint64_t run, std::uint64_t cell, std::uint64_t seed, const core::ArrayLayout& layout);
     void add(const scene_run::LabelledFrame& frame);

@@ -57,12 +57,12 @@ void RemoteArray::run(const std::stop_token& stop) {
 
 void RemoteArray::take(const ros::TactileBlock& block) {
     const std::int64_t arrived_ns = core::steadyNow_ns();
-    const auto taxels = static_cast<std::size_t>(m_description.layout.taxels());
+    const std::size_t channels = m_description.layout.values();
     const auto times = ros::view(block.read_site_ns);
     const auto source = ros::view(block.source_s);
     const auto values = ros::view(block.values);
     // A block whose lengths contradict each other says nothing.
-    if (source.size() != times.size() || values.size() != times.size() * taxels)
+    if (source.size() != times.size() || values.size() != times.size() * channels)
         return;
     const RemoteStream::Step step = m_stream.take(bootNameOf(block.site_boot), block.first, times.size());
     if (!step.use)
@@ -70,7 +70,7 @@ void RemoteArray::take(const ros::TactileBlock& block) {
     if (step.lost > 0)
         m_outlet.lose(step.lost);
     core::SampleBlock taken;
-    taken.channels = taxels;
+    taken.channels = channels;
     for (const std::int64_t time_ns : times)
         taken.time_ns.push_back(m_stream.inOrder(m_site->readTime_ns(time_ns, arrived_ns)));
     taken.sourceTime_s.assign(source.begin(), source.end());

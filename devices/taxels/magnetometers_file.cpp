@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/taxels/magnetometers_file.h"
 
-#include "backend/core/keys/key_lists.h"
 #include "devices/taxels/frames/frame_decoder.h"
-#include "devices/taxels/taxels_text.h"
-
-#include <QString>
 
 #include <string>
-#include <vector>
 
 namespace teleta::taxels {
 
@@ -99,15 +94,7 @@ void MagnetometersFile::describeKeys(core::Keys& keys) {
         taxels.format = reskinText(static_cast<std::size_t>(chips));
     taxels.grid.setComponents(TaxelGrid::kMostComponents);
     taxels.grid.setUnit("µT");
-    std::vector<std::vector<double>> positions_mm;
-    core::describeRows(
-        keys, "positions_mm", positions_mm, NumberRange::between(-1e4, 1e4), static_cast<std::size_t>(chips),
-        2,
-        "Place of each chip, x and y, in the order in which they come. They have to lie on the "
-        "lines of a square grid");
-    if (!positions_mm.empty() && !taxels.grid.standAt(positions_mm))
-        refuse(keys, "positions_mm", TaxelsText::tr("the places lie on no square grid"),
-               TaxelsText::tr("different places whose distances in x and y are multiples of one pitch"));
+    taxels.grid.describePositions(keys, static_cast<std::size_t>(chips), Need::required);
     taxels.grid.describeAxes(keys);
     double threshold_uT = 0.0;
     keys.number("threshold_uT", threshold_uT, NumberRange::positive(),

@@ -65,7 +65,7 @@ TaxelsDevice::TaxelsDevice(TaxelsFile file, bool isFile)
     , m_lostAfter_ns(lostAfter_ns(m_file.times, m_file.rate_Hz))
     , m_outlet(kQueueBlocks)
     , m_time(m_file.format)
-    , m_loads(m_file.grid.layout().taxels())
+    , m_values(m_file.grid.layout().values())
     , m_read(ByteLink::kLongestDatagram)
     , m_retry(m_file.times.firstRetry_ms * kMs_ns, m_file.times.longestRetry_ms * kMs_ns) {
 }
@@ -212,14 +212,14 @@ void TaxelsDevice::appendFrame(const DecodedFrame& frame, core::SampleBlock& blo
         ++m_counters.sensorRestarts;
         m_discontinuity = true;
     }
-    m_file.grid.place(frame.values, m_loads);
+    m_file.grid.place(frame.values, m_values);
     block.time_ns.push_back(m_read_ns);
     block.sourceTime_s.push_back(step.time_s);
-    block.values.insert(block.values.end(), m_loads.begin(), m_loads.end());
+    block.values.insert(block.values.end(), m_values.begin(), m_values.end());
 }
 
 void TaxelsDevice::prepare(core::SampleBlock& block) {
-    block.channels = m_loads.size();
+    block.channels = m_values.size();
     block.discontinuity = std::exchange(m_discontinuity, false);
 }
 

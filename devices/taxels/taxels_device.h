@@ -90,7 +90,7 @@ private:
     StreamTime m_time;
     TaxelsCounters m_counters;
     FrameDecoder::Counters m_closedLines; ///< of the connections before this one
-    std::vector<float> m_loads;           ///< of the frame at hand
+    std::vector<float> m_values;          ///< of the frame at hand, as the layout has them
     std::vector<std::uint8_t> m_read;
     std::int64_t m_begin_ns = 0;     ///< of the stream
     std::int64_t m_read_ns = 0;      ///< of the newest bytes

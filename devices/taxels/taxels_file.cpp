@@ -151,7 +151,7 @@ void TaxelsFile::describeKeys(core::Keys& keys) {
                        .arg(grid.components()),
                    TaxelsText::tr("%1 numbers").arg(grid.values()));
     });
-    if (!threshold && grid.unit() != "N")
+    if (!threshold && grid.loadUnit() != "N")
         refuseWithoutThreshold(keys);
 }
 

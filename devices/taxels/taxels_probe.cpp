@@ -91,7 +91,7 @@ core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimit
             if (probe.frames.empty()) {
                 first_ns = last_ns;
                 end_ns = in(limits.measure_s);
-                probe.first.resize(file.grid.layout().taxels());
+                probe.first.resize(file.grid.layout().values());
                 file.grid.place(frame.values, probe.first);
                 probe.others.assign(frame.values.begin() + static_cast<std::ptrdiff_t>(file.grid.values()),
                                     frame.values.end());
@@ -111,7 +111,7 @@ core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
                                                const std::function<bool()>& cancelled) {
     TELETA_TRY(auto link, openLink(file, nullptr));
     Listener sensor(file, std::move(link));
-    const std::size_t taxels = file.grid.layout().taxels();
+    const std::size_t taxels = file.grid.layout().values();
     const auto wanted = static_cast<std::size_t>(file.restFrames);
     std::vector<std::vector<float>> readings(taxels);
     std::vector<float> loads(taxels);

@@ -55,7 +55,9 @@ core::Expected<std::unique_ptr<WtsDevice>> WtsDevice::open(WtsConfig config) {
     TELETA_TRY(auto session, WtsSession::open(config, nullptr));
     const MatrixInfo& matrix = session.matrix();
     core::SourceDescription description{.name = link::displayName(config.address),
-                                        .layout = {matrix.rows, matrix.columns, matrix.cellWidth_10um / 1e5},
+                                        .layout = core::ArrayLayout{matrix.rows, matrix.columns,
+                                                                    matrix.cellWidth_10um / 1e5,
+                                                                    matrix.cellHeight_10um / 1e5},
                                         .unit = "counts",
                                         .nominalRate_Hz = nominalRate_Hz(config, matrix)};
     return std::unique_ptr<WtsDevice>(
@@ -113,7 +115,7 @@ core::Expected<void> WtsDevice::connect() {
     TELETA_TRY(auto session, WtsSession::open(m_config, &m_wake));
     const MatrixInfo& found = session.matrix();
     if (found.rows != m_matrix.rows || found.columns != m_matrix.columns ||
-        found.cellWidth_10um != m_matrix.cellWidth_10um)
+        found.cellWidth_10um != m_matrix.cellWidth_10um || found.cellHeight_10um != m_matrix.cellHeight_10um)
         return core::failed(
             core::ErrorKind::refused,
             WtsText::tr(

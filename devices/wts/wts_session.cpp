@@ -35,12 +35,12 @@ core::Expected<void> checkMatrix(const MatrixInfo& matrix) {
             WtsText::tr("the sensor reports %1 rows and %2 columns").arg(matrix.rows).arg(matrix.columns),
             WtsText::tr("an array of 1 to %1 rows and columns whose frame fits into one message")
                 .arg(core::ArrayLayout::kMaximumSide));
-    if (matrix.cellWidth_10um == 0 || matrix.cellWidth_10um != matrix.cellHeight_10um)
+    if (matrix.cellWidth_10um == 0 || matrix.cellHeight_10um == 0)
         return core::failed(core::ErrorKind::refused,
                             WtsText::tr("the sensor's cells are %1 mm wide and %2 mm high")
                                 .arg(matrix.cellWidth_10um / 100.0)
                                 .arg(matrix.cellHeight_10um / 100.0),
-                            WtsText::tr("square cells"));
+                            WtsText::tr("cells with a width and a height"));
     return {};
 }
 

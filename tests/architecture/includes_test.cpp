@@ -159,7 +159,7 @@ TEST(IncludesTest, forbidsAFolderThatTheTableDoesNotName) {
 TEST(IncludesTest, allowsTheEdgesThatTheGraphHas) {
     EXPECT_EQ(reasonFor("backend/simulation/effects/a.cpp", "#include \"backend/simulation/effects/b.h\""),
               "");
-    EXPECT_EQ(reasonFor("backend/pipeline/a.cpp", "#include \"backend/contact/b.h\""), "");
+    EXPECT_EQ(reasonFor("backend/pipeline/a.cpp", "#include \"backend/contact/taxels/b.h\""), "");
     EXPECT_EQ(reasonFor("widgets/view3d/a.cpp", "#include <vtkNew.h>"), "");
     EXPECT_EQ(reasonFor("widgets/charts/a.cpp", "#include \"widgets/base/b.h\""), "");
     EXPECT_EQ(reasonFor("app/console/operate/a.cpp", "#include \"widgets/view3d/b.h\""), "");

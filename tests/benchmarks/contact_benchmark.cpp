@@ -167,7 +167,7 @@ OpenCvFeatures openCvFeatures(const core::ArrayLayout& layout, const cv::Mat& gr
     cv::Mat mean, vectors, values;
     cv::PCACompute(points, mean, vectors, values);
     // OpenCV divides by n.
-    const double scale = layout.pitch_m * layout.pitch_m * binary.m00 / (binary.m00 - 1.0);
+    const double scale = layout.pitchX_m * layout.pitchX_m * binary.m00 / (binary.m00 - 1.0);
     return {load.m00,
             layout.x_m(load.m10 / load.m00),
             layout.y_m(load.m01 / load.m00),
@@ -181,7 +181,7 @@ OpenCvFeatures openCvFeatures(const core::ArrayLayout& layout, const cv::Mat& gr
 /// Largest difference over the features, each as a share of its range.
 double differenceOf(const contact::TactileFeatures& ours, const OpenCvFeatures& theirs,
                     const core::ArrayLayout& layout) {
-    const double length_m = layout.columns * layout.pitch_m;
+    const double length_m = layout.columns * layout.pitchX_m;
     double worst = std::abs(ours.force_N - theirs.force_N) / theirs.force_N;
     const auto add = [&](double difference) { worst = std::max(worst, std::abs(difference)); };
     add((ours.copX_m.value() - theirs.copX_m) / length_m);

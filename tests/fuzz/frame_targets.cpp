@@ -23,7 +23,7 @@ bool readsFrames(const std::string& path, frames::FrameRequest request) {
     }
     require(series->frames() > 0, "there is a frame");
     require(series->values.size() == series->frames() * series->layout.taxels(), "each frame has all taxels");
-    require(series->layout.pitch_m > 0.0 && std::isfinite(series->layout.pitch_m), "the pitch is positive");
+    require(series->layout.pitchX_m > 0.0 && std::isfinite(series->layout.pitchX_m), "the pitch is positive");
     for (std::size_t i = 0; i < series->frames(); ++i)
         require(std::isfinite(series->time_s[i]) && (i == 0 || series->time_s[i] >= series->time_s[i - 1]),
                 "times never decrease");

@@ -112,7 +112,7 @@ bool rosSensorFile(Bytes bytes) {
     else
         requireExplained(wrench.error());
     if (array)
-        require(array->layout.rows > 0 && array->layout.columns > 0 && array->layout.pitch_m > 0.0 &&
+        require(array->layout.rows > 0 && array->layout.columns > 0 && array->layout.pitchX_m > 0.0 &&
                     array->scale != 0.0 && array->threshold > 0.0,
                 "an array has taxels");
     else

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/heatmap_layout.h"
 
+#include <QLineF>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +19,30 @@ double clampedAlong(double centre, double taxels, double visibleTaxels) {
 
 } // namespace
 
+core::ArrayLayout cellsOf(const core::TaxelLayout& taxels) {
+    if (taxels.isGrid())
+        return taxels.grid();
+    const core::TaxelPlaces& places = *taxels.places();
+    double x_m = 0.0;
+    double y_m = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        x_m = std::max(x_m, std::abs(places[i].x_m) + 0.5 * places.spacing_m(i));
+        y_m = std::max(y_m, std::abs(places[i].y_m) + 0.5 * places.spacing_m(i));
+    }
+    // Few taxels that are far apart are not to make more cells than an array may have.
+    constexpr double kMost = core::ArrayLayout::kMaximumSide;
+    const double pitch_m = std::max(places.pitch_m(), 2.0 * std::max(x_m, y_m) / kMost);
+    const auto cells = [&](double half_m) {
+        return std::max(1, static_cast<int>(std::min(kMost, std::ceil(2.0 * half_m / pitch_m - 1e-9))));
+    };
+    return {cells(y_m), cells(x_m), pitch_m};
+}
+
 HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
-                             const core::ArrayLayout& array, const HeatmapZoom& zoom, double devicePixelRatio)
-    : m_array(array) {
+                             const core::TaxelLayout& taxels, const HeatmapZoom& zoom,
+                             double devicePixelRatio)
+    : m_taxels(taxels)
+    , m_array(cellsOf(taxels)) {
     const double em = metrics.height();
     const QRectF inner = bounds.adjusted(0.5 * em, 0.25 * em, -0.5 * em, -0.25 * em);
     m_header = QRectF(inner.left(), inner.top(), inner.width(), 1.8 * em);
@@ -34,19 +57,24 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
     m_viewport.setRight(std::max(m_viewport.left() + 1.0, inner.right() - barLabels - barWidth - em));
     m_viewport.setBottom(std::max(m_viewport.top() + 1.0, m_legend.top() - axisBottom));
 
-    const double columns = array.columns;
-    const double rows = array.rows;
+    const double columns = m_array.columns;
+    const double rows = m_array.rows;
     const double dpr = devicePixelRatio > 0.0 ? devicePixelRatio : 1.0;
-    double fitted = std::min(m_viewport.width() / columns, m_viewport.height() / rows);
+    const double shorter_m = std::min(m_array.pitchX_m, m_array.pitchY_m);
+    const double width = m_array.pitchX_m / shorter_m;
+    const double height = m_array.pitchY_m / shorter_m;
+    double fitted = std::min(m_viewport.width() / (columns * width), m_viewport.height() / (rows * height));
     if (fitted * dpr >= 2.0)
         fitted = std::floor(fitted * dpr) / dpr;
-    m_side = fitted * std::max(1.0, zoom.factor);
+    fitted *= std::max(1.0, zoom.factor);
+    m_cell = {fitted * width, fitted * height};
+    m_perMetre = fitted / shorter_m;
 
     const auto snapped = [dpr](double v) { return std::round(v * dpr) / dpr; };
     const QPointF centre = clampedCentre(zoom.centre);
-    const QSizeF size(columns * m_side, rows * m_side);
-    const QPointF lowerLeft(m_viewport.center().x() - centre.x() * m_side,
-                            m_viewport.center().y() + centre.y() * m_side);
+    const QSizeF size(columns * m_cell.width(), rows * m_cell.height());
+    const QPointF lowerLeft(m_viewport.center().x() - centre.x() * m_cell.width(),
+                            m_viewport.center().y() + centre.y() * m_cell.height());
     m_sensor = QRectF(QPointF(snapped(lowerLeft.x()), snapped(lowerLeft.y() - size.height())), size);
     m_visible = m_sensor.intersected(m_viewport);
 
@@ -59,33 +87,47 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
 }
 
 QPointF HeatmapLayout::gridPoint(double column, double row) const {
-    return {m_sensor.left() + column * m_side, m_sensor.bottom() - row * m_side};
+    return {m_sensor.left() + column * m_cell.width(), m_sensor.bottom() - row * m_cell.height()};
 }
 
 QRectF HeatmapLayout::taxelRect(const Taxel& taxel) const {
-    return {gridPoint(taxel.column, taxel.row + 1.0), QSizeF(m_side, m_side)};
+    if (m_taxels.isGrid())
+        return {gridPoint(taxel.column, taxel.row + 1.0), m_cell};
+    const core::TaxelPlaces& places = *m_taxels.places();
+    const auto index = static_cast<std::size_t>(taxel.column);
+    const double radius = 0.5 * m_perMetre * places.spacing_m(index);
+    const QPointF centre = pixelOf(places[index].x_m, places[index].y_m);
+    return QRectF(centre.x() - radius, centre.y() - radius, 2.0 * radius, 2.0 * radius);
 }
 
 QPointF HeatmapLayout::pixelOf(double x_m, double y_m) const {
-    const double perMetre = m_side / m_array.pitch_m;
-    return m_sensor.center() + QPointF(x_m * perMetre, -y_m * perMetre);
+    return m_sensor.center() + QPointF(x_m * m_perMetre, -y_m * m_perMetre);
 }
 
 QPointF HeatmapLayout::gridAt(const QPointF& pixel) const {
-    return {(pixel.x() - m_sensor.left()) / m_side, (m_sensor.bottom() - pixel.y()) / m_side};
+    return {(pixel.x() - m_sensor.left()) / m_cell.width(),
+            (m_sensor.bottom() - pixel.y()) / m_cell.height()};
 }
 
 std::optional<Taxel> HeatmapLayout::taxelAt(const QPointF& pixel) const {
     if (!m_visible.contains(pixel))
         return std::nullopt;
+    if (!m_taxels.isGrid()) {
+        for (int taxel = 0; taxel < m_taxels.grid().columns; ++taxel) {
+            const QRectF disc = taxelRect({0, taxel});
+            if (QLineF(disc.center(), pixel).length() <= 0.5 * disc.width())
+                return Taxel{0, taxel};
+        }
+        return std::nullopt;
+    }
     const QPointF grid = gridAt(pixel);
     return Taxel{std::clamp(static_cast<int>(std::floor(grid.y())), 0, m_array.rows - 1),
                  std::clamp(static_cast<int>(std::floor(grid.x())), 0, m_array.columns - 1)};
 }
 
 QPointF HeatmapLayout::clampedCentre(const QPointF& centre) const {
-    return {clampedAlong(centre.x(), m_array.columns, m_viewport.width() / m_side),
-            clampedAlong(centre.y(), m_array.rows, m_viewport.height() / m_side)};
+    return {clampedAlong(centre.x(), m_array.columns, m_viewport.width() / m_cell.width()),
+            clampedAlong(centre.y(), m_array.rows, m_viewport.height() / m_cell.height())};
 }
 
 } // namespace teleta::tactile

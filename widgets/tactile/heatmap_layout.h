@@ -6,14 +6,20 @@
 #include <QFontMetricsF>
 #include <QRectF>
 
+#include <algorithm>
+
 namespace teleta::tactile {
 
+/// The cells that a heatmap of an array has room for: the array's own, or those of a grid around taxels that
+/// stand on none, each as large as their usual spacing.
+[[nodiscard]] core::ArrayLayout cellsOf(const core::TaxelLayout& taxels);
+
 /// Layout of a heatmap in px, and the map between the sensor frame {s} and the picture. {s} is drawn as seen
-/// from outside the skin: x to the right, y up, z towards the viewer; row 0 is at the bottom. Taxels are
-/// square; at zoom 1 their side is a whole number of device pixels if there is room.
+/// from outside the skin: x to the right, y up, z towards the viewer; row 0 is at the bottom. Cells have the
+/// shape of the array's; at zoom 1 their shorter side is a whole number of device pixels if there is room.
 class HeatmapLayout {
 public:
-    HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics, const core::ArrayLayout& array,
+    HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics, const core::TaxelLayout& taxels,
                   const HeatmapZoom& zoom, double devicePixelRatio);
 
     [[nodiscard]] const QRectF& header() const { return m_header; }
@@ -24,10 +30,13 @@ public:
     [[nodiscard]] const QRectF& sensor() const { return m_sensor; }
     /// The visible part of the array; everything on the array is clipped to it.
     [[nodiscard]] const QRectF& visible() const { return m_visible; }
-    [[nodiscard]] double taxelSide() const { return m_side; }
+    /// The shorter side of a cell.
+    [[nodiscard]] double taxelSide() const { return std::min(m_cell.width(), m_cell.height()); }
+    [[nodiscard]] double perMetre() const { return m_perMetre; }
 
     /// Upper left corner of a grid point: column 0..columns, row 0..rows from the bottom.
     [[nodiscard]] QPointF gridPoint(double column, double row) const;
+    /// The cell of a taxel; of one that stands on no grid, the box around its disc.
     [[nodiscard]] QRectF taxelRect(const Taxel& taxel) const;
     /// Centre of taxel (row, column) of the array is at {s} (x_m(column), y_m(row)).
     [[nodiscard]] QPointF pixelOf(double x_m, double y_m) const;
@@ -39,9 +48,11 @@ public:
     [[nodiscard]] QPointF clampedCentre(const QPointF& centre) const;
 
 private:
-    core::ArrayLayout m_array;
+    core::TaxelLayout m_taxels;
+    core::ArrayLayout m_array; ///< the cells
     QRectF m_header, m_legend, m_readout, m_colourBar, m_viewport, m_sensor, m_visible;
-    double m_side = 1.0;
+    QSizeF m_cell{1.0, 1.0};
+    double m_perMetre = 1.0; ///< px
 };
 
 } // namespace teleta::tactile

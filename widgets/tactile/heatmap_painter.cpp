@@ -2,12 +2,14 @@
 #include "widgets/tactile/heatmap_painter.h"
 
 #include "widgets/base/colour_maps.h"
-#include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/numbers/tabular_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/tactile/contact_outline.h"
+#include "widgets/tactile/heatmap_ink.h"
+#include "widgets/tactile/place_discs.h"
+#include "widgets/tactile/shear_arrows.h"
 
 #include <QPainter>
 
@@ -23,8 +25,6 @@ namespace {
 
 const QColor kDeadGround(0xff, 0xff, 0xff, 0x48);
 const QColor kDeadHatch(0xe8, 0xe8, 0xe8);
-const QColor kCasing(0x00, 0x00, 0x00, 0xb0); ///< around marks, visible on yellow and on blue
-const QColor kMark(0xff, 0xff, 0xff);
 
 double shareOf(float load, double top) {
     return top > 0.0 ? static_cast<double>(load) / top : 0.0;
@@ -75,12 +75,6 @@ void drawHatch(QPainter& painter, const QRectF& rect, double spacing) {
     }
 }
 
-void drawArrowHead(QPainter& painter, const QPointF& tip, const QPointF& direction, double size) {
-    const QPointF side(-direction.y(), direction.x());
-    painter.drawPolygon(QPolygonF{tip, tip - direction * size + side * (0.4 * size),
-                                  tip - direction * size - side * (0.4 * size)});
-}
-
 } // namespace
 
 void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const HeatmapContent& content,
@@ -102,6 +96,8 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
     painter.setRenderHint(QPainter::Antialiasing);
     if (content.shows(Overlay::contacts))
         paintContacts();
+    if (content.shows(Overlay::shear))
+        paintShear(painter, layout, content);
     if (content.shows(Overlay::principalAxis))
         paintAxis();
     paintMarks();
@@ -148,13 +144,19 @@ double HeatmapPainter::markRadius() const {
 }
 
 void HeatmapPainter::paintTaxels(Medium medium) {
-    const core::ArrayLayout& array = m_content->snapshot.layout;
+    const core::ArrayLayout& array = m_content->snapshot.layout.grid();
     const base::ColourMap& map = base::cividis();
     const std::vector<float>& loads = m_content->snapshot.load_N;
+    if (!m_content->snapshot.layout.isGrid()) {
+        paintDiscs(*m_painter, *m_layout, *m_content);
+        return;
+    }
     if (medium == Medium::paper) {
         m_painter->setPen(Qt::NoPen);
         for (int row = 0; row < array.rows; ++row)
             for (int column = 0; column < array.columns; ++column) {
+                if (m_content->snapshot.layout.isAbsent(m_content->index({row, column})))
+                    continue;
                 const float load = loads[m_content->index({row, column})];
                 m_painter->setBrush(QColor(base::colourAt(map, shareOf(load, m_content->rangeTop))));
                 m_painter->drawRect(m_layout->taxelRect({row, column}));
@@ -171,14 +173,26 @@ void HeatmapPainter::paintTaxels(Medium medium) {
             line[column] = base::colourAt(
                 map, shareOf(loads[first + static_cast<std::size_t>(column)], m_content->rangeTop));
     }
+    if (!m_content->snapshot.layout.absent().empty())
+        paintAbsent();
     m_painter->drawImage(m_layout->sensor(), m_image);
+}
+
+/// Places without a taxel have the colour of the ground.
+void HeatmapPainter::paintAbsent() {
+    const core::ArrayLayout& array = m_content->snapshot.layout.grid();
+    const QRgb ground = m_palette.color(QPalette::Base).rgb();
+    for (int row = 0; row < array.rows; ++row)
+        for (int column = 0; column < array.columns; ++column)
+            if (m_content->snapshot.layout.isAbsent(m_content->index({row, column})))
+                m_image.setPixel(column, array.rows - 1 - row, ground);
 }
 
 void HeatmapPainter::paintGrid() {
     constexpr double kSmallestSide = 9.0;
-    if (m_layout->taxelSide() < kSmallestSide)
+    if (m_layout->taxelSide() < kSmallestSide || !m_content->snapshot.layout.isGrid())
         return;
-    const core::ArrayLayout& array = m_content->snapshot.layout;
+    const core::ArrayLayout& array = m_content->snapshot.layout.grid();
     m_painter->setPen(QPen(QColor(0, 0, 0, 70), 1.0));
     const QRectF& sensor = m_layout->sensor();
     for (int column = 1; column < array.columns; ++column) {
@@ -192,14 +206,16 @@ void HeatmapPainter::paintGrid() {
 }
 
 void HeatmapPainter::paintDead() {
-    if (m_content->snapshot.dead.empty())
+    const core::TaxelLayout& layout = m_content->snapshot.layout;
+    if (m_content->snapshot.dead.empty() || !layout.isGrid())
         return;
-    const core::ArrayLayout& array = m_content->snapshot.layout;
+    const core::ArrayLayout& array = m_content->snapshot.layout.grid();
     const double spacing = std::max(3.0, m_layout->taxelSide() / 3.0);
     m_painter->setRenderHint(QPainter::Antialiasing);
     for (int row = 0; row < array.rows; ++row)
         for (int column = 0; column < array.columns; ++column) {
-            if (!m_content->isDead(m_content->index({row, column})))
+            const std::size_t i = m_content->index({row, column});
+            if (!m_content->isDead(i) || layout.isAbsent(i))
                 continue;
             const QRectF rect = m_layout->taxelRect({row, column});
             m_painter->fillRect(rect, kDeadGround);
@@ -217,7 +233,7 @@ void HeatmapPainter::paintValues() {
     if (metrics.horizontalAdvance(QStringLiteral("8.88")) + 4.0 > side || metrics.height() > side)
         return;
     m_painter->setFont(small);
-    const core::ArrayLayout& array = m_content->snapshot.layout;
+    const core::ArrayLayout& array = m_content->snapshot.layout.grid();
     for (int row = 0; row < array.rows; ++row)
         for (int column = 0; column < array.columns; ++column) {
             const Taxel taxel{row, column};
@@ -244,11 +260,15 @@ void HeatmapPainter::paintContacts() {
     const bool roomy = m_layout->taxelSide() >= 8.0;
     const double width = roomy ? std::max(2.0, 0.14 * m_em) : 1.5;
     const double inset = roomy ? 0.5 * width + 1.0 : 0.5 * width;
+    if (!snapshot.layout.isGrid()) {
+        paintDiscRings(*m_painter, *m_layout, *m_content, width);
+        return;
+    }
     m_painter->setBrush(Qt::NoBrush);
     for (const contact::Contact& contact : snapshot.contacts) {
         QPainterPath path;
         for (const OutlineLoop& loop :
-             traceOutline(snapshot.labels, snapshot.layout.columns, contact.region,
+             traceOutline(snapshot.labels, snapshot.layout.grid().columns, contact.region,
                           {contact.minRow, contact.maxRow, contact.minColumn, contact.maxColumn})) {
             QPolygonF polygon;
             for (const OutlineCorner& corner : loop)
@@ -274,6 +294,13 @@ int HeatmapPainter::firstColumn(const contact::Contact& contact, int row) const 
     return contact.maxColumn;
 }
 
+DiscEnds HeatmapPainter::endsOf(const contact::Contact& contact) const {
+    if (!m_content->snapshot.layout.isGrid())
+        return discEndsOf(*m_layout, *m_content, contact);
+    return {m_layout->gridPoint(firstColumn(contact, contact.maxRow), contact.maxRow + 1.0),
+            m_layout->gridPoint(firstColumn(contact, contact.minRow), contact.minRow)};
+}
+
 void HeatmapPainter::paintContactLabels() {
     if (m_content->snapshot.labels.empty())
         return;
@@ -286,8 +313,7 @@ void HeatmapPainter::paintContactLabels() {
         const QString text = QStringLiteral("#%1").arg(contact.id);
         const QSizeF size(metrics.horizontalAdvance(text) + 0.6 * m_em, metrics.height() + 2.0);
         // Above the contact, or below it at the upper edge, so that the label hides little of it.
-        const QPointF above = m_layout->gridPoint(firstColumn(contact, contact.maxRow), contact.maxRow + 1.0);
-        const QPointF below = m_layout->gridPoint(firstColumn(contact, contact.minRow), contact.minRow);
+        const auto [above, below] = endsOf(contact);
         const QRectF& visible = m_layout->visible();
         const bool roomAbove = above.y() - size.height() - 1.0 >= visible.top();
         double top = roomAbove ? above.y() - size.height() - 1.0 : below.y() + 1.0;
@@ -318,7 +344,7 @@ void HeatmapPainter::paintAxis() {
     const contact::TactileFeatures& f = m_content->snapshot.features;
     if (!f.alphaZ_rad || !f.cocX_m || !f.cocY_m)
         return;
-    const double pitch_m = m_content->snapshot.layout.pitch_m;
+    const double pitch_m = m_content->snapshot.layout.pitch_m();
     const double long_m = std::max(pitch_m, 2.0 * std::sqrt(f.lambda1_m2.value_or(0.0)));
     const double short_m = std::min(long_m, 2.0 * std::sqrt(f.lambda2_m2.value_or(0.0)));
     const double c = std::cos(*f.alphaZ_rad), s = std::sin(*f.alphaZ_rad);
@@ -363,127 +389,6 @@ void HeatmapPainter::paintCursor() {
     m_painter->drawRect(rect);
 }
 
-void HeatmapPainter::paintScales() {
-    constexpr double kMillimetres = 1e3;
-    const core::ArrayLayout& array = m_content->snapshot.layout;
-    const QRectF& visible = m_layout->visible();
-    const double pixelsPerMillimetre = m_layout->taxelSide() / (array.pitch_m * kMillimetres);
-    const QColor ink = base::mixed(m_palette.color(QPalette::Text), m_palette.color(QPalette::Base), 0.25);
-    const QFont normal = m_painter->font();
-    const QFont small = base::sized(normal, base::kSmallText);
-    const QFontMetricsF metrics(small);
-    const double tick = 0.3 * m_em;
-    const double left = visible.left() - 0.35 * m_em;
-    const double bottom = visible.bottom() + 0.35 * m_em;
-
-    m_painter->setFont(small);
-    m_painter->setPen(QPen(ink, 1.0));
-    const auto forTicks = [&](double low_mm, double high_mm, double spacing_px, auto&& draw) {
-        const double step_mm = base::niceStep(spacing_px / pixelsPerMillimetre);
-        const auto last = static_cast<int>(std::floor(high_mm / step_mm + 1e-6));
-        for (auto i = static_cast<int>(std::ceil(low_mm / step_mm - 1e-6)); i <= last; ++i) {
-            draw(i * step_mm / kMillimetres, base::significantDigits(i * step_mm, 4));
-        }
-    };
-    const QPointF centre = m_layout->sensor().center();
-    const auto millimetres = [&](double pixels) { return pixels / pixelsPerMillimetre; };
-
-    forTicks(millimetres(visible.left() - centre.x()), millimetres(visible.right() - centre.x()), 3.2 * m_em,
-             [&](double x_m, const QString& text) {
-                 const double x = m_layout->pixelOf(x_m, 0.0).x();
-                 m_painter->drawLine(QPointF(x, bottom), QPointF(x, bottom + tick));
-                 m_painter->drawText(QRectF(x - 2.0 * m_em, bottom + tick, 4.0 * m_em, metrics.height()),
-                                     Qt::AlignHCenter | Qt::AlignTop, text);
-             });
-    forTicks(millimetres(centre.y() - visible.bottom()), millimetres(centre.y() - visible.top()), 2.0 * m_em,
-             [&](double y_m, const QString& text) {
-                 const double y = m_layout->pixelOf(0.0, y_m).y();
-                 m_painter->drawLine(QPointF(left - tick, y), QPointF(left, y));
-                 m_painter->drawText(QRectF(left - tick - 5.0 * m_em, y - m_em, 4.8 * m_em, 2.0 * m_em),
-                                     Qt::AlignRight | Qt::AlignVCenter, text);
-             });
-
-    m_painter->setRenderHint(QPainter::Antialiasing);
-    m_painter->setBrush(ink);
-    const QPointF xTip(visible.right() + 0.6 * m_em, bottom);
-    const QPointF yTip(left, visible.top() - 0.6 * m_em);
-    m_painter->drawLine(QPointF(left, bottom), xTip);
-    m_painter->drawLine(QPointF(left, bottom), yTip);
-    drawArrowHead(*m_painter, xTip, {1.0, 0.0}, 0.5 * m_em);
-    drawArrowHead(*m_painter, yTip, {0.0, -1.0}, 0.5 * m_em);
-    m_painter->setRenderHint(QPainter::Antialiasing, false);
-    m_painter->setBrush(Qt::NoBrush);
-    m_painter->setPen(m_palette.color(QPalette::Text));
-    m_painter->drawText(
-        QRectF(xTip.x() - 4.0 * m_em, bottom + tick + metrics.height(), 4.3 * m_em, metrics.height()),
-        Qt::AlignRight | Qt::AlignTop, tr("x [mm]"));
-    m_painter->drawText(QRectF(yTip.x() - 5.3 * m_em, yTip.y() - 0.5 * m_em, 4.8 * m_em, metrics.height()),
-                        Qt::AlignRight | Qt::AlignVCenter, tr("y [mm]"));
-    m_painter->setFont(normal);
-}
-
-void HeatmapPainter::paintColourBar() {
-    const QRectF& bar = m_layout->colourBar();
-    const base::ColourMap& map = base::cividis();
-    QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-    constexpr int kStops = 32;
-    for (int i = 0; i <= kStops; ++i)
-        gradient.setColorAt(static_cast<double>(i) / kStops,
-                            QColor(base::colourAt(map, static_cast<double>(i) / kStops)));
-    m_painter->fillRect(bar, gradient);
-    const QColor ink = base::mixed(m_palette.color(QPalette::Text), m_palette.color(QPalette::Base), 0.25);
-    m_painter->setPen(QPen(ink, 1.0));
-    m_painter->setBrush(Qt::NoBrush);
-    m_painter->drawRect(bar);
-
-    const QFont normal = m_painter->font();
-    const QFont small = base::sized(normal, base::kSmallText);
-    m_painter->setFont(small);
-    const QFontMetricsF metrics(small);
-    const double top = m_content->rangeTop;
-    const auto yOf = [&](double load) { return bar.bottom() - bar.height() * load / top; };
-    const double step = base::niceStep(top * 2.0 * m_em / bar.height());
-    const double right = bar.right() + 0.25 * m_em;
-    const int ticks = static_cast<int>(std::floor(top / step + 1e-6));
-    for (int i = 0; i <= ticks; ++i) {
-        const double y = yOf(i * step);
-        m_painter->setPen(QPen(ink, 1.0));
-        m_painter->drawLine(QPointF(bar.right(), y), QPointF(right, y));
-        m_painter->setPen(m_palette.color(QPalette::Text));
-        m_painter->drawText(QPointF(right + 0.2 * m_em, y + 0.5 * (metrics.ascent() - metrics.descent())),
-                            base::significantDigits(i * step, 4));
-    }
-    const QRectF unitRect(bar.left(), bar.top() - 1.15 * m_em, 6.0 * m_em, m_em);
-    m_painter->drawText(unitRect, Qt::AlignLeft | Qt::AlignVCenter, m_content->unit());
-    const QString mode = m_content->rangeFixed ? tr("fixed") : tr("auto");
-    m_painter->setPen(m_palette.color(QPalette::PlaceholderText));
-    m_painter->drawText(QRectF(bar.left(), bar.bottom() + 0.35 * m_em, 6.0 * m_em, m_em),
-                        Qt::AlignLeft | Qt::AlignVCenter, mode);
-
-    const double threshold = m_content->snapshot.threshold_N;
-    m_painter->setRenderHint(QPainter::Antialiasing);
-    if (threshold > 0.0 && threshold <= top) {
-        const double y = yOf(threshold);
-        m_painter->setPen(QPen(Qt::white, 1.5));
-        m_painter->drawLine(QPointF(bar.left(), y), QPointF(bar.right(), y));
-        m_painter->setPen(Qt::NoPen);
-        m_painter->setBrush(m_palette.color(QPalette::Text));
-        drawArrowHead(*m_painter, QPointF(bar.left() + 1.0, y), {1.0, 0.0}, 0.5 * m_em);
-    }
-    const auto& loads = m_content->snapshot.load_N;
-    const bool over = std::ranges::any_of(
-        loads, [top](float load) { return static_cast<double>(load) > top * (1.0 + 1e-6); });
-    if (over) { // loads beyond a fixed range
-        m_painter->setPen(QPen(ink, 1.0));
-        m_painter->setBrush(QColor(map.back()));
-        m_painter->drawPolygon(
-            QPolygonF{bar.topLeft(), bar.topRight(), QPointF(bar.center().x(), bar.top() - 0.5 * m_em)});
-    }
-    m_painter->setRenderHint(QPainter::Antialiasing, false);
-    m_painter->setBrush(Qt::NoBrush);
-    m_painter->setFont(normal);
-}
-
 void HeatmapPainter::paintHeader() {
     const pipeline::TouchSnapshot& snapshot = m_content->snapshot;
     const QRectF rect =
@@ -510,6 +415,8 @@ void HeatmapPainter::paintHeader() {
         piece(value, true, valueWidth + 1.2 * m_em);
     };
     pair(tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {});
+    if (m_content->hasShear() && m_content->shows(Overlay::shear))
+        pair(tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {});
     pair(tr("contacts"), QString::number(snapshot.contacts.size()), QStringLiteral("88"));
     static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
     pair(tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), {});
@@ -546,6 +453,13 @@ void HeatmapPainter::paintLegend() {
         item(tr("axis %1\u00b0").arg(m_content->angleText), [&](const QPointF& p) {
             m_painter->drawLine(p - QPointF(0.5 * m_em, 0.0), p + QPointF(0.5 * m_em, 0.0));
         });
+    if (m_content->hasShear() && m_content->shows(Overlay::shear) && hasRoomForShear(*m_layout))
+        item(tr("shear, a taxel's width is %1")
+                 .arg(base::withUnit(base::significantDigits(m_content->shearTop, 3), m_content->unit())),
+             [&](const QPointF& p) {
+                 drawShearArrow(*m_painter, p - QPointF(0.5 * m_em, 0.0), p + QPointF(0.4 * m_em, 0.0),
+                                0.35 * m_em);
+             });
     item(tr("threshold %1")
              .arg(base::withUnit(base::threeDigits(snapshot.threshold_N).remove(QChar(0x2007)),
                                  m_content->unit())),

@@ -3,6 +3,7 @@
 
 #include "widgets/tactile/heatmap_content.h"
 #include "widgets/tactile/heatmap_layout.h"
+#include "widgets/tactile/place_discs.h"
 
 #include <QCoreApplication>
 #include <QImage>
@@ -19,7 +20,7 @@ class HeatmapPainter {
 
 public:
     enum class Medium {
-        screen, ///< taxels as one image
+        screen, ///< taxels of a grid as one image
         paper,  ///< taxels as rectangles, sharp at any scale
     };
 
@@ -29,6 +30,7 @@ public:
 
 private:
     void paintTaxels(Medium medium);
+    void paintAbsent();
     void paintDead();
     void paintGrid();
     void paintValues();
@@ -45,6 +47,7 @@ private:
     void paintLegend();
     void paintReadout();
     [[nodiscard]] double markRadius() const;
+    [[nodiscard]] DiscEnds endsOf(const contact::Contact& contact) const;
     [[nodiscard]] int firstColumn(const contact::Contact& contact, int row) const;
 
     QPainter* m_painter = nullptr;

@@ -5,6 +5,7 @@
 #include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
+#include "widgets/tactile/shear_arrows.h"
 
 #include <QActionGroup>
 #include <QKeyEvent>
@@ -32,7 +33,8 @@ constexpr double kSmallestRange = 1e-15;
 
 HeatmapView::HeatmapView(QWidget* parent)
     : FigureView(parent, {40, 24}, {18, 13})
-    , m_range(1.0) {
+    , m_range(1.0)
+    , m_shearRange(1.0) {
     setMouseTracking(true);
     for (std::size_t i = 0; i < kOverlays; ++i) {
         m_overlayActions[i] = new QAction(this);
@@ -52,7 +54,8 @@ void HeatmapView::retranslate() {
                     "right, y up.</p>"
                     "<p>Coloured outlines are contacts, each with the number under which it is followed. "
                     "× is the centre of pressure, ○ the centre of contact, the line the principal axis. "
-                    "Hatched taxels are dead and carry no load.</p>"
+                    "Hatched taxels are dead and carry no load. Arrows are the force along the surface, of "
+                    "arrays that measure it; zoom in where taxels are too small for them.</p>"
                     "<p>Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the "
                     "colour bar to type "
                     "its upper end. The arrow keys read taxel by taxel.</p>"));
@@ -68,6 +71,8 @@ void HeatmapView::retranslate() {
     name(Overlay::principalAxis, tr("Principal &axis"),
          tr("Draw the axis along which the touched area is longest"));
     name(Overlay::values, tr("&Numbers"), tr("Write each load into its taxel where there is room"));
+    name(Overlay::shear, tr("&Shear"),
+         tr("Draw the force along the surface as arrows, of arrays that measure it"));
     update();
 }
 
@@ -85,12 +90,18 @@ void HeatmapView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
     m_content.valid = true;
     if (otherArray) {
         m_range.reset();
+        m_shearRange.reset();
         m_keyboardTaxel.reset();
         m_content.cursor.reset();
         resetZoom();
     }
     m_force.update(snapshot.features.force_N);
     m_content.forceText = m_force.text();
+    std::optional<double> shear;
+    if (snapshot.features.shear)
+        shear = std::hypot(snapshot.features.shear->x_N, snapshot.features.shear->y_N);
+    m_shear.update(shear);
+    m_content.shearText = m_shear.text();
     std::optional<double> angle_deg;
     if (snapshot.features.alphaZ_rad)
         angle_deg = *snapshot.features.alphaZ_rad * 180.0 / std::numbers::pi;
@@ -109,7 +120,15 @@ void HeatmapView::updateRange() {
         m_range.setMinimumSpan(std::isfinite(least) ? std::max(least, kSmallestRange) : kSmallestRange);
         const double peak =
             std::isfinite(snapshot.features.peak_N) ? std::max(0.0, snapshot.features.peak_N) : 0.0;
-        m_range.update(0.0, peak, static_cast<double>(snapshot.time_ns) * 1e-9);
+        const double time_s = static_cast<double>(snapshot.time_ns) * 1e-9;
+        m_range.update(0.0, peak, time_s);
+        if (m_content.hasShear()) {
+            m_shearRange.setMinimumSpan(std::isfinite(snapshot.threshold_N)
+                                            ? std::max(snapshot.threshold_N, kSmallestRange)
+                                            : kSmallestRange);
+            m_shearRange.update(0.0, largestShear(snapshot), time_s);
+            m_content.shearTop = m_shearRange.high();
+        }
     }
     m_content.rangeTop = m_fixedTop.value_or(m_range.high());
 }
@@ -200,7 +219,7 @@ void HeatmapView::setCursorTaxel(std::optional<Taxel> taxel) {
 void HeatmapView::moveCursor(int rows, int columns) {
     if (!m_content.valid)
         return;
-    const core::ArrayLayout& array = m_content.snapshot.layout;
+    const core::ArrayLayout& array = m_content.snapshot.layout.grid();
     if (m_content.cursor) {
         m_keyboardTaxel = Taxel{std::clamp(m_content.cursor->row + rows, 0, array.rows - 1),
                                 std::clamp(m_content.cursor->column + columns, 0, array.columns - 1)};
@@ -211,7 +230,7 @@ void HeatmapView::moveCursor(int rows, int columns) {
 }
 
 void HeatmapView::resetZoom() {
-    const core::ArrayLayout& array = m_content.snapshot.layout;
+    const core::ArrayLayout array = cellsOf(m_content.snapshot.layout);
     m_content.zoom = {1.0, QPointF(0.5 * array.columns, 0.5 * array.rows)};
     unsetCursor();
     update();
@@ -251,7 +270,8 @@ void HeatmapView::wheelEvent(QWheelEvent* event) {
         zoomBy(std::pow(kZoomStep, notches), event->position());
         event->accept();
     } else if (event->modifiers().testFlag(Qt::ShiftModifier) && m_content.zoom.factor > 1.0) {
-        panBy(QPointF(-notches * 0.1 * m_content.snapshot.layout.columns / m_content.zoom.factor, 0.0));
+        panBy(QPointF(-notches * 0.1 * cellsOf(m_content.snapshot.layout).columns / m_content.zoom.factor,
+                      0.0));
         event->accept();
     } else {
         event->ignore();
@@ -395,6 +415,8 @@ QString HeatmapView::toolTipAt(const QPointF& pixel) const {
                 base::withUnit(QLocale().toString(m_content.rangeTop, 'g', 4), m_content.unit()),
                 base::withUnit(QLocale().toString(m_content.snapshot.threshold_N, 'g', 4), m_content.unit()));
     const std::optional<Taxel> taxel = layoutNow().taxelAt(pixel);
+    if (taxel && m_content.snapshot.layout.isAbsent(m_content.index(*taxel)))
+        return {};
     if (taxel && m_content.isDead(m_content.index(*taxel)))
         return tr("Dead taxel: its value is not used.");
     return {};

@@ -90,8 +90,10 @@ private:
     HeatmapContent m_content;
     HeatmapPainter m_painter;
     base::CalmRange m_range;
+    base::CalmRange m_shearRange;
     std::optional<double> m_fixedTop;
     base::SteadyNumber m_force;
+    base::SteadyNumber m_shear;
     base::SteadyNumber m_angle{1.0};
     std::array<QAction*, kOverlays> m_overlayActions{};
     QPointer<base::InlineEdit> m_rangeEdit;

@@ -150,7 +150,7 @@ std::optional<app::CsvRequest> ConsoleSettings::recording(const QString& path) c
     request.path = path.toStdString();
     request.layout.rows = value("rows").toInt();
     request.layout.columns = value("columns").toInt();
-    request.layout.pitch_m = value("pitch_m").toDouble();
+    request.layout.setPitch_m(value("pitch_m").toDouble());
     request.tarePath = value("tare").toString().toStdString();
     request.gainsPath = value("gains").toString().toStdString();
     request.inverted = value("inverted").toBool();
@@ -161,7 +161,7 @@ std::optional<app::CsvRequest> ConsoleSettings::recording(const QString& path) c
     const bool usable = request.layout.rows > 0 && request.layout.rows <= core::ArrayLayout::kMaximumSide &&
                         request.layout.columns > 0 &&
                         request.layout.columns <= core::ArrayLayout::kMaximumSide &&
-                        request.layout.pitch_m > 0.0 && request.gain > 0.0 && request.threshold_N > 0.0 &&
+                        request.layout.pitchX_m > 0.0 && request.gain > 0.0 && request.threshold_N > 0.0 &&
                         request.rate_Hz >= 0.0;
     return usable ? std::optional(request) : std::nullopt;
 }
@@ -170,7 +170,7 @@ void ConsoleSettings::setRecording(const app::CsvRequest& request) {
     const QString group = recordingGroup(QString::fromStdString(request.path));
     set(group + QStringLiteral("rows"), request.layout.rows);
     set(group + QStringLiteral("columns"), request.layout.columns);
-    set(group + QStringLiteral("pitch_m"), request.layout.pitch_m);
+    set(group + QStringLiteral("pitch_m"), request.layout.pitchX_m);
     set(group + QStringLiteral("tare"), QString::fromStdString(request.tarePath));
     set(group + QStringLiteral("gains"), QString::fromStdString(request.gainsPath));
     set(group + QStringLiteral("inverted"), request.inverted);

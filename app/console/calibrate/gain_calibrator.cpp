@@ -27,7 +27,7 @@ GainCalibration calibrationOf(const pipeline::TouchChannel& channel) {
     if (values.empty())
         return {};
     TaxelGains gains;
-    gains.layout = channel.description().layout;
+    gains.layout = channel.description().layout.grid();
     for (const float value : values) {
         const bool good = std::isfinite(value);
         gains.taxels.push_back(
@@ -92,6 +92,10 @@ GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
 void GainCalibrator::onActiveChanged() {
     const SourceManager::Item* item = m_sources.active();
     auto channel = item != nullptr ? item->array() : nullptr;
+    // The gains of taxels are those of a grid of loads.
+    if (channel != nullptr &&
+        (!channel->description().layout.isGrid() || channel->description().layout.isVector()))
+        channel = nullptr;
     const bool isArray = channel != nullptr;
     const pipeline::ChannelKey key = isArray ? item->key : 0;
     if (key == m_key && (m_channel != nullptr) == isArray)
@@ -168,7 +172,7 @@ void GainCalibrator::endCollecting() {
     m_view->setProgress(std::nullopt);
     std::vector<Press> presses = m_view->calibration().presses;
     presses.push_back(std::move(press));
-    find([presses = std::move(presses), layout = m_channel->description().layout]() mutable {
+    find([presses = std::move(presses), layout = m_channel->description().layout.grid()]() mutable {
         return withGains(std::move(presses), layout);
     });
 }
@@ -176,7 +180,7 @@ void GainCalibrator::endCollecting() {
 void GainCalibrator::openPresses(const QStringList& paths) {
     if (!m_channel)
         return;
-    find([paths, presses = m_view->calibration().presses, layout = m_channel->description().layout,
+    find([paths, presses = m_view->calibration().presses, layout = m_channel->description().layout.grid(),
           settings = m_channel->settings().conditioning]() mutable -> Found {
         for (const QString& path : paths) {
             TELETA_TRY(auto press, core::readFrames(path.toStdString(), layout));
@@ -190,7 +194,7 @@ void GainCalibrator::openPresses(const QStringList& paths) {
 void GainCalibrator::load(const QString& path) {
     if (!m_channel)
         return;
-    find([path, layout = m_channel->description().layout]() -> Found {
+    find([path, layout = m_channel->description().layout.grid()]() -> Found {
         TELETA_TRY(auto gains, equilibration::readTaxelGains(path.toStdString(), layout));
         return GainCalibration{{}, std::make_shared<const TaxelGains>(std::move(gains))};
     });

@@ -92,10 +92,10 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     m_touches->setProvenance(provenance);
     m_sheet->setProvenance(provenance);
     m_contour->setProvenance(provenance);
-    const core::ArrayLayout& skin = m_arm->skin()->description().layout;
+    const core::ArrayLayout& skin = m_arm->skin()->description().layout.grid();
     m_scene.setSurface(view3d::Surface::cylinder);
     m_scene.setArrayBent(true);
-    m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitch_m});
+    m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitchX_m});
     // Nothing new may come: a recording that is paused stands as it was left.
     if (auto kept = m_kept.extract(m_arm)) {
         m_sheet->model().setNotes(std::move(kept.mapped().notes));

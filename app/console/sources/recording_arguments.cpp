@@ -10,7 +10,7 @@ core::Expected<app::CsvRequest> completeRecording(const RecordingArguments& reco
     app::CsvRequest& request = *guessed;
     request.layout.rows = recording.rows.value_or(request.layout.rows);
     request.layout.columns = recording.columns.value_or(request.layout.columns);
-    request.layout.pitch_m = recording.pitch_m.value_or(request.layout.pitch_m);
+    request.layout.setPitch_m(recording.pitch_m.value_or(request.layout.pitchX_m));
     if (recording.tarePath)
         request.tarePath = recording.tarePath->toStdString();
     if (recording.unit)

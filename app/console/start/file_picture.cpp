@@ -5,6 +5,7 @@
 #include "app/console/start/scene_picture.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/recording/recording.h"
+#include "backend/recording/stream_columns.h"
 #include "widgets/pattern/pattern_picture.h"
 
 #include <QDateTime>
@@ -65,7 +66,8 @@ core::Expected<QImage> pictureOfRecording(const QString& path, const QSize& size
         return noPicture(path);
     const recording::StreamInfo& info = opened.streams()[*stream];
     TELETA_TRY(const auto extent, opened.extent(*stream));
-    if (info.shape.size() != 2 || info.type != recording::ValueType::float32 || !extent)
+    if (info.shape.size() != 2 || recording::isVectorArray(info) ||
+        info.type != recording::ValueType::float32 || !extent)
         return noPicture(path);
     recording::StreamReader reader = opened.reader(*stream);
     const std::size_t taxels = info.channels();

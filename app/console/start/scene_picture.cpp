@@ -45,7 +45,7 @@ QImage blank(const QSize& size, const QPalette& palette) {
 core::Expected<QImage> arrayPicture(const scene::Scene& scene, const QSize& size, const QPalette& palette,
                                     const std::stop_token& stop) {
     TELETA_TRY(const auto array, simulation::SimulatedArray::make(scene, kSeed));
-    const core::ArrayLayout layout = array->description().layout;
+    const core::ArrayLayout layout = array->description().layout.grid();
     std::vector<float> load_N(layout.taxels());
     while (array->time_s() < kArrayAt * scene.duration_s) {
         if (stop.stop_requested())

@@ -183,7 +183,7 @@ py::tuple readFrames(const py::object& file, const py::dict& arguments) {
     if (rows.has_value() != columns.has_value())
         throw py::value_error("rows: expected both rows and columns, or neither");
     if (rows) {
-        const core::ArrayLayout layout = layoutOf(*rows, *columns, core::ArrayLayout{}.pitch_m);
+        const core::ArrayLayout layout = layoutOf(*rows, *columns, core::ArrayLayout{}.pitchX_m);
         request.rows = layout.rows;
         request.columns = layout.columns;
     }

@@ -113,7 +113,7 @@ void saveGains(const py::object& gain, const py::object& error, const py::object
     const auto gains = realArray<double>(gain, "gain");
     needShape(gains, "gain", {-1, -1}, "(rows, columns)");
     TaxelGains all;
-    all.layout = layoutOf(gains.shape(0), gains.shape(1), all.layout.pitch_m);
+    all.layout = layoutOf(gains.shape(0), gains.shape(1), all.layout.pitchX_m);
     const auto errors = realArray<double>(error, "gain_se");
     needShape(errors, "gain_se", {gains.shape(0), gains.shape(1)}, "the shape of gain");
     const auto words = py::cast<std::vector<std::string>>(states.attr("ravel")().attr("tolist")());

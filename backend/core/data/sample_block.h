@@ -8,7 +8,7 @@
 namespace teleta::core {
 
 /// Some consecutive frames of one stream as they left the device: raw values, not tared, not scaled.
-///   values: frames() x channels, row-major.
+///   values: frames() x channels, row-major. Of a tactile source as core::TaxelLayout says.
 /// time_ns: steady clock at the read of each frame, one entry a frame, never decreasing.
 /// sourceTime_s: the stream's own time (recording or simulated time), one entry a frame.
 /// firstFrame: number of the first frame in the stream since it was opened; a gap between blocks is a loss.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/array_layout.h"
 #include "backend/core/data/sample_block.h"
+#include "backend/core/data/taxel_layout.h"
 #include "backend/core/interface.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/wakeup.h"
@@ -40,7 +40,7 @@ struct DeviceStatus {
 /// Describes a source; constant while it is open.
 struct SourceDescription {
     std::string name; ///< shown to people: file name, scene name, serial number
-    ArrayLayout layout;
+    TaxelLayout layout;
     std::string unit; ///< unit of the raw values: "N", "counts"
     double nominalRate_Hz = 0.0;
     bool simulated = false; ///< the data is not real, which every view must show
@@ -108,7 +108,7 @@ class FrameGenerator {
 public:
     virtual ~FrameGenerator() = default;
     [[nodiscard]] virtual SourceDescription description() const = 0;
-    /// Advances by one sample period and writes layout.taxels() values. motionHeld: STOP is engaged, nothing
+    /// Advances by one sample period and writes layout.values() numbers. motionHeld: STOP is engaged, nothing
     /// moves.
     virtual void next(std::span<float> values, bool motionHeld) = 0;
     [[nodiscard]] virtual double time_s() const = 0;

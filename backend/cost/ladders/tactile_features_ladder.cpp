@@ -37,8 +37,8 @@ std::vector<PressedFrame> pressedFrames(const core::ArrayLayout& layout) {
     std::vector<PressedFrame> frames(kPressedFrames);
     std::vector<double> load_N(layout.taxels());
     for (PressedFrame& frame : frames) {
-        const double x_m = (random.uniform() - 0.5) * layout.pitch_m * (layout.columns - 2);
-        const double y_m = (random.uniform() - 0.5) * layout.pitch_m * (layout.rows - 2);
+        const double x_m = (random.uniform() - 0.5) * layout.pitchX_m * (layout.columns - 2);
+        const double y_m = (random.uniform() - 0.5) * layout.pitchY_m * (layout.rows - 2);
         std::array<simulation::RigidIndenter, 1> ball{simulation::RigidIndenter(scene::Sphere{0.012})};
         ball[0].moveTo({x_m, y_m, 0.0006 + 0.0012 * random.uniform(), 0.0});
         std::array<simulation::IndenterLoad, 1> loads;

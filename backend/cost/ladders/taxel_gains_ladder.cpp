@@ -14,7 +14,7 @@ namespace teleta::cost {
 
 namespace {
 
-constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 constexpr double kSpread = 0.2;
 constexpr double kNoise = 0.02;
 constexpr double kSparks = 0.005;

@@ -5,6 +5,7 @@
 #include "backend/core/failure.h"
 #include "backend/frames/arrays/array_file.h"
 #include "backend/frames/npz_writer.h"
+#include "backend/recording/stream_columns.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -30,7 +31,7 @@ core::Expected<std::size_t> chooseStream(const Recording& recording, const std::
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < recording.streams().size(); ++i) {
         const StreamInfo& stream = recording.streams()[i];
-        if (stream.kind != StreamKind::array || stream.shape.size() != 2)
+        if (stream.kind != StreamKind::array || stream.shape.size() != 2 || recording::isVectorArray(stream))
             continue;
         arrays << QString::fromStdString(stream.name);
         if (wanted.empty() || wanted == stream.name)

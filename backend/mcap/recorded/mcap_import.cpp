@@ -75,10 +75,10 @@ StreamInfo infoOf(TopicRole role, const DecodedMessage& first,
     case TopicRole::tactileArray:
     case TopicRole::multiArray: {
         core::SourceDescription description;
-        description.layout.rows = static_cast<int>(first.shape[0]);
-        description.layout.columns = static_cast<int>(first.shape[1]);
+        core::ArrayLayout layout{static_cast<int>(first.shape[0]), static_cast<int>(first.shape[1])};
         if (std::isfinite(first.pitch_m) && first.pitch_m > 1e-9 && first.pitch_m < 1e3)
-            description.layout.pitch_m = first.pitch_m;
+            layout.setPitch_m(first.pitch_m);
+        description.layout = layout;
         description.unit = first.unit;
         const pipeline::ChannelSettings settings;
         return pipeline::arrayStream(std::string(), description, settings);

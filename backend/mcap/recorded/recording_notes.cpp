@@ -3,6 +3,7 @@
 
 #include "backend/core/data/json_document.h"
 #include "backend/core/number_text.h"
+#include "backend/recording/stream_columns.h"
 
 #include <QDateTime>
 #include <QTimeZone>
@@ -150,7 +151,8 @@ std::vector<Attachment> recordingAttachments(const Recording& recording, std::sp
         const std::string& name = names[number].topic;
         if (stream.kind == StreamKind::camera && details.contains("camera"))
             attach(name + "/camera.json", "application/json", core::jsonText(details["camera"]));
-        if (stream.kind != StreamKind::array || !details.contains("settings") || stream.shape.size() != 2)
+        if (stream.kind != StreamKind::array || !details.contains("settings") || stream.shape.size() != 2 ||
+            recording::isVectorArray(stream))
             continue;
         const ordered_json tare = listOf(details["settings"], "tare");
         const ordered_json gains = listOf(details["settings"], "taxel_gains");

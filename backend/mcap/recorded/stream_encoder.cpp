@@ -3,7 +3,9 @@
 
 #include "backend/mcap/cdr_writer.h"
 #include "backend/mcap/recorded/png_encoder.h"
+#include "backend/mcap/recorded/point_cloud.h"
 #include "backend/mcap/ros_schemas.h"
+#include "backend/pipeline/recorded/recorded_layout.h"
 #include "backend/recording/recording.h"
 #include "backend/recording/stream_columns.h"
 
@@ -139,7 +141,14 @@ void StreamEncoder::describe() {
     const bool isFloat = m_stream.type == ValueType::float32;
     switch (m_stream.kind) {
     case StreamKind::array:
-        if (!isFloat || m_stream.shape.size() != 2)
+        if (!isFloat)
+            return;
+        if (auto layout = pipeline::layoutOf(m_stream); layout && (layout->isVector() || !layout->isGrid())) {
+            m_layout = std::move(*layout);
+            add(Message::points, "points", "sensor_msgs/PointCloud2");
+            return;
+        }
+        if (m_stream.shape.size() != 2)
             return;
         m_pitch_m = pitchOf(m_stream);
         add(Message::image, "image", "sensor_msgs/Image");
@@ -158,6 +167,9 @@ void StreamEncoder::describe() {
         m_force = *force;
         m_copX = *copX;
         m_copY = *copY;
+        m_shearX = columnOf(m_stream, "shear_x_n");
+        if (m_shearX && *m_shearX + 2 >= m_stream.columns.size())
+            m_shearX.reset();
         add(Message::featureWrench, "wrench", "geometry_msgs/WrenchStamped");
         return;
     }
@@ -230,6 +242,9 @@ void StreamEncoder::encode(std::size_t topic, const TappedFrames& block, std::si
         cdr.text(kFrameAxes);
         cdr.sequence(recording::valuesOf<float>(block, frame, channels));
         break;
+    case Message::points:
+        writePoints(cdr, m_layout, recording::valuesOf<float>(block, frame, channels));
+        break;
     case Message::features: {
         const std::span<const double> values = doubles(frame);
         const double type = values.front();
@@ -240,7 +255,14 @@ void StreamEncoder::encode(std::size_t topic, const TappedFrames& block, std::si
     }
     case Message::featureWrench: {
         const std::span<const double> values = doubles(frame);
-        writeWrench(cdr, wrenchOf(values[m_force], values[m_copX], values[m_copY]));
+        std::array<double, 6> wrench = wrenchOf(values[m_force], values[m_copX], values[m_copY]);
+        if (m_shearX && std::isfinite(values[*m_shearX])) {
+            wrench[0] = values[*m_shearX];
+            wrench[1] = values[*m_shearX + 1];
+            // The columns have the moment at the centre of pressure, a wrench that at the origin.
+            wrench[5] = values[*m_shearX + 2] + values[m_copX] * wrench[1] - values[m_copY] * wrench[0];
+        }
+        writeWrench(cdr, wrench);
         break;
     }
     case Message::contacts:

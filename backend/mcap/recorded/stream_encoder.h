@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/taxel_layout.h"
 #include "backend/core/device/stream_tap.h"
 #include "backend/mcap/recorded/ros_names.h"
 #include "backend/recording/recording_types.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ struct TopicType {
 /// What becomes of a stream in ROS: its topics, and the messages of its frames in CDR.
 ///   array          /NAME/image        sensor_msgs/msg/Image, 32FC1, raw values, row 0 first
 ///                  /NAME/array        teleta_msgs/msg/TactileArray
+///                  /NAME/points       sensor_msgs/msg/PointCloud2 instead of both, of vectors and of taxels
+///                  off
+///                                     a grid: writePoints()
 ///   features       /NAME/features     teleta_msgs/msg/TactileFeatures; NaN where a feature is not defined
 ///                  /NAME/wrench       geometry_msgs/msg/WrenchStamped, what acts on the array
 ///   contacts       /NAME/contacts     teleta_msgs/msg/Contacts, all of one time
@@ -50,6 +55,7 @@ private:
     enum class Message {
         image,
         array,
+        points,
         features,
         featureWrench,
         contacts,
@@ -68,13 +74,15 @@ private:
     RosNames m_names;
     int m_pictureLevel;
     double m_pitch_m = 0.0;
+    core::TaxelLayout m_layout; ///< of an array
     std::vector<TopicType> m_topics;
     std::vector<Message> m_messages;       ///< of the topics
     std::vector<std::string> m_jointNames; ///< q1, q2, ...
     std::size_t m_force = 0;               ///< columns of a stream of features
     std::size_t m_copX = 0;
     std::size_t m_copY = 0;
-    std::vector<double> m_signs; ///< of the columns of contacts
+    std::optional<std::size_t> m_shearX; ///< with the moment two columns on; of vectors
+    std::vector<double> m_signs;         ///< of the columns of contacts
 };
 
 /// A topic of the events of a recording: foxglove_msgs/msg/Log.

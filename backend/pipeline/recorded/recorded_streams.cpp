@@ -6,6 +6,7 @@
 #include "backend/core/data/json_document.h"
 #include "backend/core/failure.h"
 #include "backend/core/number_text.h"
+#include "backend/pipeline/recorded/recorded_layout.h"
 #include "backend/recording/event_words.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/stiffness/material.h"
@@ -75,14 +76,16 @@ std::vector<float> readTaxels(core::JsonReader& reader, const ordered_json& json
     return values;
 }
 
-ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json, std::size_t taxels) {
+ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
+                             const core::TaxelLayout& layout) {
+    const std::size_t taxels = layout.taxels();
     ChannelSettings settings;
     contact::ConditioningSettings& conditioning = settings.conditioning;
     contact::FeatureSettings& features = settings.features;
     contact::SegmentationSettings& segmentation = settings.segmentation;
     conditioning.gain = reader.number(json, "gain", -kHuge, kHuge, conditioning.gain);
     conditioning.inverted = reader.boolean(json, "inverted", false);
-    conditioning.tare = readTaxels(reader, json, "tare", taxels, -kHuge);
+    conditioning.tare = readTaxels(reader, json, "tare", layout.values(), -kHuge);
     conditioning.taxelGain = readTaxels(reader, json, "taxel_gains", taxels, 0.0);
     if (const ordered_json* dead = reader.find(json, "dead"); dead != nullptr && !dead->empty()) {
         for (const ordered_json& value : reader.array(*dead, taxels, taxels))
@@ -132,16 +135,15 @@ core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::st
 
 recording::StreamInfo arrayStream(const std::string& name, const core::SourceDescription& description,
                                   const ChannelSettings& settings) {
-    const core::ArrayLayout& layout = description.layout;
-    const ordered_json details{{"pitch_m", layout.pitch_m},
-                               {"simulated", description.simulated},
-                               {"settings", settingsJson(settings)}};
+    ordered_json details = layoutJson(description.layout);
+    details.update({{"simulated", description.simulated}, {"settings", settingsJson(settings)}});
     return {.name = name,
             .kind = recording::StreamKind::array,
             .type = recording::ValueType::float32,
             .source = description.name,
-            .shape = {static_cast<std::size_t>(layout.rows), static_cast<std::size_t>(layout.columns)},
+            .shape = shapeOf(description.layout),
             .unit = description.unit,
+            .columns = componentColumns(description.layout, description.unit),
             .nominalRate_Hz = description.nominalRate_Hz,
             .details = details.dump()};
 }
@@ -161,13 +163,16 @@ bool settingsChanged(const std::vector<recording::RecordingEvent>& events, const
     });
 }
 
-recording::StreamInfo featureStream(const std::string& name, const core::SourceDescription& description) {
+recording::StreamInfo featureStream(const std::string& name, const core::SourceDescription& description,
+                                    const std::string& loadUnit) {
+    const std::vector<recording::Column> columns =
+        recording::featureColumns(loadUnit, description.layout.isVector());
     return {.name = name,
             .kind = recording::StreamKind::features,
             .type = recording::ValueType::float64,
             .source = description.name,
-            .shape = {kFeatureValues},
-            .columns = recording::featureColumns(),
+            .shape = {columns.size()},
+            .columns = columns,
             .nominalRate_Hz = description.nominalRate_Hz};
 }
 
@@ -225,6 +230,17 @@ recording::StreamInfo tactorStream(const std::string& name, const core::Bracelet
     return info;
 }
 
+void appendFeatures(const contact::TactileFeatures& features, bool vectors, std::vector<double>& values) {
+    const std::array<double, kFeatureValues> all = featureValues(features);
+    values.insert(values.end(), all.begin(), all.end());
+    if (!vectors)
+        return;
+    if (const auto& shear = features.shear)
+        values.insert(values.end(), {shear->x_N, shear->y_N, shear->momentZ_Nm, shear->friction});
+    else
+        values.insert(values.end(), kShearValues, kNothing);
+}
+
 std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features) {
     const auto orNothing = [](const std::optional<double>& value) { return value.value_or(kNothing); };
     return {static_cast<double>(features.type), features.force_N,
@@ -260,10 +276,7 @@ std::array<double, kTouchValues> touchValues(const TouchRecord& touch) {
 }
 
 core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream, const std::string& file) {
-    constexpr std::size_t kSide = core::ArrayLayout::kMaximumSide;
-    if (stream.kind != recording::StreamKind::array || stream.type != recording::ValueType::float32 ||
-        stream.shape.size() != 2 || stream.shape[0] < 1 || stream.shape[1] < 1 || stream.shape[0] > kSide ||
-        stream.shape[1] > kSide)
+    if (stream.kind != recording::StreamKind::array || stream.type != recording::ValueType::float32)
         return notDescribed(stream, file, RecordedStreamText::tr("it is not an array"));
     const auto document = core::JsonDocument::parse(stream.details, file);
     if (!document)
@@ -272,14 +285,17 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     RecordedArray array;
     core::SourceDescription& description = array.description;
     description.name = stream.source;
-    description.layout.rows = static_cast<int>(stream.shape[0]);
-    description.layout.columns = static_cast<int>(stream.shape[1]);
-    description.layout.pitch_m = reader.number(reader.member(reader.root(), "pitch_m"), 1e-9, 1e3);
+    const auto layout = readLayout(reader, stream.shape);
+    if (reader.error())
+        return notDescribed(stream, file, *reader.error());
+    if (!layout)
+        return notDescribed(stream, file, RecordedStreamText::tr("it is not an array"));
+    description.layout = *layout;
     description.unit = stream.unit;
     description.nominalRate_Hz = stream.nominalRate_Hz;
     description.simulated = reader.boolean(reader.root(), "simulated", false);
     description.recorded = true;
-    array.settings = readSettings(reader, reader.member(reader.root(), "settings"), stream.channels());
+    array.settings = readSettings(reader, reader.member(reader.root(), "settings"), description.layout);
     if (reader.error())
         return notDescribed(stream, file, *reader.error());
     return array;

@@ -29,6 +29,7 @@ namespace teleta::pipeline {
 /// Thread: any (pure).
 
 inline constexpr std::size_t kFeatureValues = 12;
+inline constexpr std::size_t kShearValues = 4; ///< of frames of vectors besides
 inline constexpr std::size_t kTouchValues = 14;
 
 /// Name of the stream of an array's frames, in a recording that knows the array by a name.
@@ -45,9 +46,10 @@ inline constexpr std::size_t kTouchValues = 14;
 /// Whether the settings of an array changed while it was recorded: those of its stream are the first ones.
 [[nodiscard]] bool settingsChanged(const std::vector<recording::RecordingEvent>& events,
                                    const std::string& stream);
-/// What was computed of them.
+/// What was computed of them, in this unit of load.
 [[nodiscard]] recording::StreamInfo featureStream(const std::string& name,
-                                                  const core::SourceDescription& description);
+                                                  const core::SourceDescription& description,
+                                                  const std::string& loadUnit);
 /// Joint samples of an arm, and which stream its skin is. chain: its links, where they are known.
 [[nodiscard]] recording::StreamInfo armStream(const std::string& name,
                                               const core::ArmDescription& description,
@@ -63,6 +65,8 @@ tactorStream(const std::string& name, const core::BraceletDescription& descripti
 
 /// A frame of a stream of features; NaN where a feature is not defined.
 [[nodiscard]] std::array<double, kFeatureValues> featureValues(const contact::TactileFeatures& features);
+/// Appends a frame of such a stream, with the shear of frames of vectors.
+void appendFeatures(const contact::TactileFeatures& features, bool vectors, std::vector<double>& values);
 /// A frame of a stream of touches; NaN where nothing is known.
 [[nodiscard]] std::array<double, kTouchValues> touchValues(const TouchRecord& touch);
 

@@ -34,10 +34,10 @@ SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m)
     strongest.y_m = first.y_m;
     strongest.force_N = first.force_N;
     strongest.type = frame.features.type;
-    setPlaceErrors(strongest, first, frame.layout.pitch_m, frame.threshold_N);
+    setPlaceErrors(strongest, first, frame.layout.pitch_m(), frame.threshold_N);
     if (!(circumference_m > 0.0))
         return strongest;
-    const double gate_m = kSeamGate_taxels * frame.layout.pitch_m;
+    const double gate_m = kSeamGate_taxels * frame.layout.pitch_m();
     for (std::size_t i = 1; i < frame.contacts.size(); ++i) {
         const contact::Contact& other = frame.contacts[i];
         const double y_m = other.y_m + std::copysign(circumference_m, first.y_m);

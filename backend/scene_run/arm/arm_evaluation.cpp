@@ -55,7 +55,7 @@ SkinReader::SkinReader(const scene::Scene& scene)
     : m_conditioner(scene.arm().skin.layout.taxels(), {})
     , m_segmenter(scene.arm().skin.layout, channelSettings(scene).segmentation)
     , m_features(scene.arm().skin.layout, channelSettings(scene).features)
-    , m_pitch_m(scene.arm().skin.layout.pitch_m)
+    , m_pitch_m(scene.arm().skin.layout.largerPitch_m())
     , m_load_N(scene.arm().skin.layout.taxels())
     , m_dead(scene.arm().skin.layout.taxels()) {
 }

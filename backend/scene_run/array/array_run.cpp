@@ -85,7 +85,7 @@ private:
 core::Expected<SceneSummary> runArrayScene(const scene::Scene& scene, const RunOptions& options) {
     TELETA_TRY(auto array, simulation::SimulatedArray::make(scene, options.seed));
     const core::SourceDescription description = array->description();
-    const core::ArrayLayout& layout = description.layout;
+    const core::ArrayLayout& layout = description.layout.grid();
     TELETA_TRY(RunCsv log, RunCsv::openFrames(options.outFolder, layout.taxels()));
     TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
     recording.beginArray(description, scene);

@@ -34,8 +34,8 @@ void SkinSheet::press(double distance_m, double side_rad, double force_N, std::s
 }
 
 void SkinSheet::pressAt(double x_m, double y_m, double force_N, std::span<double> load_N) const {
-    const double column = x_m / m_layout.pitch_m + 0.5 * (m_layout.columns - 1);
-    const double row = y_m / m_layout.pitch_m + 0.5 * (m_layout.rows - 1);
+    const double column = x_m / m_layout.pitchX_m + 0.5 * (m_layout.columns - 1);
+    const double row = y_m / m_layout.pitchY_m + 0.5 * (m_layout.rows - 1);
     if (!(column > -2.0 && column < m_layout.columns + 1.0 && row > -2.0 && row < m_layout.rows + 1.0))
         return;
     const Spread across = spreadAt(column);

@@ -50,17 +50,16 @@ void FoundationContact::press(std::span<const RigidIndenter> indenters, std::spa
             reach.extend(boxOf(body));
     }
     if (hasArea(reach)) {
-        const double pitch_m = m_layout.pitch_m;
         const auto column = [&](double x_m) {
-            return taxelIndex(x_m / pitch_m + 0.5 * m_layout.columns, m_layout.columns);
+            return taxelIndex(x_m / m_layout.pitchX_m + 0.5 * m_layout.columns, m_layout.columns);
         };
         const auto row = [&](double y_m) {
-            return taxelIndex(y_m / pitch_m + 0.5 * m_layout.rows, m_layout.rows);
+            return taxelIndex(y_m / m_layout.pitchY_m + 0.5 * m_layout.rows, m_layout.rows);
         };
         for (int r = row(reach.min().y()); r <= row(reach.max().y()); ++r) {
             for (int c = column(reach.min().x()); c <= column(reach.max().x()); ++c) {
-                const AlignedBox2d taxel =
-                    boxAround(m_layout.x_m(c), m_layout.y_m(r), 0.5 * pitch_m, 0.5 * pitch_m);
+                const AlignedBox2d taxel = boxAround(m_layout.x_m(c), m_layout.y_m(r),
+                                                     0.5 * m_layout.pitchX_m, 0.5 * m_layout.pitchY_m);
                 pressTaxel(indenters, taxel, load_N[static_cast<std::size_t>(r) * m_layout.columns + c]);
             }
         }

@@ -12,18 +12,18 @@ constexpr double kSpringsPerPitch = 5.0;
 } // namespace
 
 std::vector<RimSide> housingRim(const scene::HousingRimSpec& spec, const core::ArrayLayout& layout) {
-    const double halfX_m = 0.5 * layout.columns * layout.pitch_m;
-    const double halfY_m = 0.5 * layout.rows * layout.pitch_m;
+    const double halfX_m = 0.5 * layout.columns * layout.pitchX_m;
+    const double halfY_m = 0.5 * layout.rows * layout.pitchY_m;
     const double middleX_m = 0.5 * (halfX_m + 0.5 * spec.length_m);
     const double middleY_m = 0.5 * (halfY_m + 0.5 * spec.width_m);
     std::vector<RimSide> sides;
     const auto add = [&](const Eigen::Vector3d& middle_m, const Eigen::Vector3d& along, double half_m) {
-        const auto count = static_cast<int>(std::ceil(2.0 * half_m / layout.pitch_m * kSpringsPerPitch));
+        const auto count = static_cast<int>(std::ceil(2.0 * half_m / layout.pitchX_m * kSpringsPerPitch));
         const double step_m = 2.0 * half_m / count;
         sides.push_back({.first_m = middle_m + (0.5 * step_m - half_m) * along,
                          .step_m = step_m * along,
                          .count = count,
-                         .stiffness_NPerM = spec.stiffness_NPerM * step_m / layout.pitch_m});
+                         .stiffness_NPerM = spec.stiffness_NPerM * step_m / layout.pitchX_m});
     };
     for (const double sign : {-1.0, 1.0}) {
         if (middleX_m > halfX_m)

@@ -258,8 +258,8 @@ ElasticArray::ElasticArray(const core::ArrayLayout& layout, double taxelStiffnes
                            const std::vector<RimSide>& rim)
     : m_layout(layout)
     , m_reach_m(0.0) {
-    const double cellX_m = layout.pitch_m / kSpringsX;
-    const double cellY_m = layout.pitch_m / kSpringsY;
+    const double cellX_m = layout.pitchX_m / kSpringsX;
+    const double cellY_m = layout.pitchY_m / kSpringsY;
     const int cellsX = layout.columns * kSpringsX;
     const int cellsY = layout.rows * kSpringsY;
     for (int i = 0; i < cellsX; ++i) {
@@ -279,7 +279,7 @@ ElasticArray::ElasticArray(const core::ArrayLayout& layout, double taxelStiffnes
         for (int j = 0; j < side.count; ++j)
             m_springs.push_back(
                 {side.first_m + j * side.step_m,
-                 inSeries(side.stiffness_NPerM, step_m / layout.pitch_m * bodyStiffness_NPerM), -1});
+                 inSeries(side.stiffness_NPerM, step_m / layout.pitchX_m * bodyStiffness_NPerM), -1});
     }
     for (const Spring& spring : m_springs)
         m_reach_m = std::max(m_reach_m, spring.p_Sensor.norm());

@@ -23,20 +23,11 @@ double turn(double to_rad, double from_rad) {
     return std::remainder(to_rad - from_rad, 2.0 * std::numbers::pi);
 }
 
-std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t node) {
-    while (parent[node] != node)
-        node = parent[node] = parent[parent[node]];
-    return node;
-}
-
 } // namespace
 
 std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
                                          std::span<const std::vector<std::size_t>> neighbours) {
     m_moved_m.resize(nodes.size());
-    m_peak_m.assign(nodes.size(), 0.0);
-    m_parent.assign(nodes.size(), kNone);
-    m_order.clear();
     m_straysBefore.swap(m_strays);
     m_strays.clear();
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -54,41 +45,16 @@ std::vector<SkinPatch> SkinPatches::find(std::span<const SkinNode> nodes,
         m_moved_m[i] = count >= kLeastAround ? sum_m / static_cast<double>(count) : 0.0;
     }
     const double floor_m = m_settings.floorShare * m_settings.threshold_m;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (m_moved_m[i] > floor_m)
-            m_order.push_back(i);
-    }
-    std::ranges::sort(m_order, [&](std::size_t a, std::size_t b) {
-        return m_moved_m[a] != m_moved_m[b] ? m_moved_m[a] > m_moved_m[b] : a < b;
-    });
-    // Roots are summits, because a node joins a higher neighbour.
-    for (const std::size_t i : m_order) {
-        std::size_t own = kNone;
-        for (const std::size_t k : neighbours[i]) {
-            if (m_parent[k] == kNone)
-                continue;
-            const std::size_t other = rootOf(m_parent, k);
-            if (own == kNone) {
-                own = other;
-            } else if (other != own) {
-                const std::size_t higher = m_peak_m[own] >= m_peak_m[other] ? own : other;
-                const std::size_t lower = higher == own ? other : own;
-                if (m_peak_m[lower] - m_moved_m[i] < m_settings.prominence * m_peak_m[lower])
-                    m_parent[lower] = higher;
-                own = higher;
-            }
-        }
-        m_parent[i] = own == kNone ? i : own;
-        if (own == kNone)
-            m_peak_m[i] = m_moved_m[i];
-    }
+    m_watershed.flood(
+        m_moved_m, neighbours, [&](std::size_t node) { return m_moved_m[node] > floor_m; },
+        [&](double summit_m, double pass_m) { return summit_m - pass_m < m_settings.prominence * summit_m; });
 
     std::map<std::size_t, SkinPatch> byRoot;
-    for (const std::size_t i : m_order)
-        byRoot[rootOf(m_parent, i)].nodes.push_back(i);
+    for (const std::size_t i : m_watershed.order())
+        byRoot[m_watershed.rootOf(i)].nodes.push_back(i);
     std::vector<SkinPatch> patches;
     for (auto& [root, patch] : byRoot) {
-        if (patch.nodes.size() < m_settings.leastNodes || m_peak_m[root] <= m_settings.threshold_m)
+        if (patch.nodes.size() < m_settings.leastNodes || m_moved_m[root] <= m_settings.threshold_m)
             continue;
         double sum = 0.0;
         double angle = 0.0;

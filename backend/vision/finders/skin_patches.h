@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/contact/taxels/graph_watershed.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -77,9 +79,7 @@ private:
 
     Settings m_settings;
     std::vector<double> m_moved_m;
-    std::vector<std::size_t> m_order;
-    std::vector<std::size_t> m_parent; ///< union-find; kNone: not yet active
-    std::vector<double> m_peak_m;
+    contact::GraphWatershed m_watershed;
     std::vector<std::size_t> m_strays;       ///< points that jumped alone in this frame
     std::vector<std::size_t> m_straysBefore; ///< the same in the previous frame
 };

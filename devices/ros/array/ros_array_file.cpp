@@ -33,7 +33,7 @@ RosArrayFile read(core::TomlTable& root) {
     const long long side = core::ArrayLayout::kMaximumSide;
     file.layout.rows = static_cast<int>(root.integer("rows", 1, side));
     file.layout.columns = static_cast<int>(root.integer("cols", 1, side));
-    file.layout.pitch_m = 1e-3 * root.number("pitch_mm", NumberRange::positiveUpTo(kLargestPitch_mm));
+    file.layout.setPitch_m(1e-3 * root.number("pitch_mm", NumberRange::positiveUpTo(kLargestPitch_mm)));
     file.unit = root.text("unit", file.unit);
     file.scale = root.number("scale", NumberRange::any(), file.scale);
     if (file.scale == 0.0)

@@ -80,7 +80,7 @@ private slots:
         const auto known = ConsoleSettings(false).recording("/somewhere/run.csv");
         QVERIFY(known.has_value());
         QCOMPARE(known->layout.columns, 27);
-        QCOMPARE(known->layout.pitch_m, 0.025);
+        QCOMPARE(known->layout.pitchX_m, 0.025);
         QVERIFY(known->inverted);
         QCOMPARE(known->threshold_N, 8.0);
         QCOMPARE(known->loadUnit, std::string("counts"));

@@ -53,7 +53,7 @@ struct Frame {
     }
     /// A quarter turn about z: (x, y) becomes (-y, x).
     [[nodiscard]] Frame turned() const {
-        return moved({layout.columns, layout.rows, layout.pitch_m}, [&](int row, int column) {
+        return moved({layout.columns, layout.rows, layout.pitchX_m}, [&](int row, int column) {
             return std::pair{column, layout.rows - 1 - row};
         });
     }

@@ -19,7 +19,7 @@ using namespace teleta::contact::test;
 
 namespace {
 
-constexpr double kPitch_m = kPaperArray.pitch_m;
+constexpr double kPitch_m = kPaperArray.pitchX_m;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 

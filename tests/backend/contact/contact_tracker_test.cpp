@@ -253,6 +253,6 @@ TEST(ContactTracker, assignAllocatesNothingAfterTheFirstFrames) {
 }
 
 TEST(ContactTracker, theGateFollowsThePitchOfACoarseArray) {
-    EXPECT_DOUBLE_EQ(trackingFor({6, 14, 0.0034}).gate_m, TrackingSettings{}.gate_m);
-    EXPECT_DOUBLE_EQ(trackingFor({64, 27, 0.025}).gate_m, 0.05);
+    EXPECT_DOUBLE_EQ(trackingFor(teleta::core::ArrayLayout{6, 14, 0.0034}).gate_m, TrackingSettings{}.gate_m);
+    EXPECT_DOUBLE_EQ(trackingFor(teleta::core::ArrayLayout{64, 27, 0.025}).gate_m, 0.05);
 }

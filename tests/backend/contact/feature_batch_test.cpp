@@ -85,7 +85,7 @@ Table oneByOne(const ArrayLayout& layout, const ConditioningSettings& conditioni
 
 /// What comes from counts is the same; what comes from sums of loads may be rounded differently.
 void expectSame(const Table& batch, const Table& one, const ArrayLayout& layout) {
-    const double side_m = std::max(layout.rows, layout.columns) * layout.pitch_m;
+    const double side_m = std::max(layout.rows, layout.columns) * layout.pitchX_m;
     for (std::size_t i = 0; i < one.type.size(); ++i) {
         SCOPED_TRACE(i);
         ASSERT_EQ(batch.type[i], one.type[i]);
@@ -163,7 +163,7 @@ TEST(FeatureBatch, describesABarAsComputedByHand) {
     for (int row = 1; row <= 4; ++row)
         frame.at(row, 5) = 2.0F;
     const Table table = batchOf(kPaperArray, {}, {}, frame.load_N);
-    const double pitch_m = kPaperArray.pitch_m;
+    const double pitch_m = kPaperArray.pitchX_m;
     EXPECT_EQ(table.type[0], ContactType::edge);
     EXPECT_EQ(table.active[0], 8);
     EXPECT_EQ(table.number[kForce][0], 12.0);
@@ -215,7 +215,7 @@ TEST(FeatureBatch, emptyAndBrokenFramesRaiseNoFloatingPointException) {
     for (const Number number : {kCopX, kCocY, kDzmpX, kAlpha, kLambda1})
         EXPECT_TRUE(std::isnan(table.number[number][0])) << number;
     EXPECT_TRUE(std::isnan(table.number[kLambda1][1]));
-    EXPECT_EQ(table.number[kCocX][1], -6.5 * kPaperArray.pitch_m);
+    EXPECT_EQ(table.number[kCocX][1], -6.5 * kPaperArray.pitchX_m);
 }
 
 TEST(FeatureBatch, computeAllocatesNothing) {

@@ -15,7 +15,7 @@ using teleta::core::ArrayLayout;
 
 namespace {
 
-const ArrayLayout kArray{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+const ArrayLayout kArray{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
 /// load = peak (1 - r^2 / radius^2) at the taxels within the radius.
 std::vector<float> paraboloid(double x_m, double y_m, double radius_m, double peak_N) {
@@ -30,8 +30,8 @@ std::vector<float> paraboloid(double x_m, double y_m, double radius_m, double pe
 
 constexpr double kThreshold_N = 0.05;
 
-const ArrayLayout kRow{.rows = 1, .columns = 7, .pitch_m = 0.02};
-const ArrayLayout kColumn{.rows = 7, .columns = 1, .pitch_m = 0.02};
+const ArrayLayout kRow{.rows = 1, .columns = 7, .pitchX_m = 0.02};
+const ArrayLayout kColumn{.rows = 7, .columns = 1, .pitchX_m = 0.02};
 
 /// An even pressure of 2 N a taxel from one place to another, in taxels.
 std::vector<float> evenPressure(double from, double to) {
@@ -163,7 +163,7 @@ TEST(Summit, ofAStripWithOneActiveTaxelIsThatTaxel) {
 }
 
 TEST(Summit, ofEachContactOfAStripIsItsOwn) {
-    const ArrayLayout strip{.rows = 1, .columns = 14, .pitch_m = 0.01};
+    const ArrayLayout strip{.rows = 1, .columns = 14, .pitchX_m = 0.01};
     // Two even pressures: 1.2 to 3.3, and 8.5 to 11.1.
     const std::vector<float> load_N{0, 0.3F * 2, 2, 0.8F * 2, 0, 0, 0, 0, 0, 1, 1, 0.6F, 0, 0};
     teleta::contact::ContactSegmenter segmenter(strip, {.threshold_N = kThreshold_N});

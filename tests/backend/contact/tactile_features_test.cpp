@@ -18,7 +18,7 @@ using teleta::core::ArrayLayout;
 
 namespace {
 
-constexpr double kPitch_m = kPaperArray.pitch_m;
+constexpr double kPitch_m = kPaperArray.pitchX_m;
 constexpr double kTaxel_m2 = kPitch_m * kPitch_m;
 constexpr double kQuarterTurn_rad = std::numbers::pi / 2.0;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();

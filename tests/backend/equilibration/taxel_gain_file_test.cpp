@@ -12,7 +12,7 @@ using namespace teleta::equilibration;
 
 namespace {
 
-constexpr core::ArrayLayout kLayout{.rows = 2, .columns = 3, .pitch_m = 0.01};
+constexpr core::ArrayLayout kLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
 
 const std::string kTable = "taxel,row,column,gain,gain_se,state\n"
                            "0,0,0,1.25,0.01,good\n"

@@ -17,7 +17,7 @@ using namespace teleta::equilibration;
 
 namespace {
 
-constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
 /// An array whose responses are known, and presses on it.
 struct Bench {

@@ -102,7 +102,7 @@ TEST_F(ArrayLibraryTest, readsHdf5WithGzipInAGroup) {
     EXPECT_EQ(series->layout.rows, 2);
     EXPECT_EQ(series->unit, "N");
     EXPECT_TRUE(series->hasPitch);
-    EXPECT_DOUBLE_EQ(series->layout.pitch_m, 0.004);
+    EXPECT_DOUBLE_EQ(series->layout.pitchX_m, 0.004);
 }
 
 TEST_F(ArrayLibraryTest, listsTheCandidatesOfAFileThatHasSeveral) {

@@ -106,8 +106,8 @@ TEST_F(FrameImportTest, itIsPlayedAsTheOptionsSay) {
     ASSERT_EQ(sources->arrays.size(), 1U);
     const pipeline::RecordedArray& array = sources->arrays[0].array;
     EXPECT_EQ(array.description.name, "glove");
-    EXPECT_EQ(array.description.layout.columns, 2);
-    EXPECT_EQ(array.description.layout.pitch_m, 0.002);
+    EXPECT_EQ(array.description.layout.grid().columns, 2);
+    EXPECT_EQ(array.description.layout.grid().pitchX_m, 0.002);
     EXPECT_FALSE(array.description.simulated);
     EXPECT_NEAR(array.description.nominalRate_Hz, 100.0, 1e-6);
     EXPECT_EQ(array.settings.loadUnit, "counts");

@@ -26,7 +26,7 @@ TEST_F(TekscanFileTest, aPressureTimesTheAreaIsAForce) {
     ASSERT_TRUE(series) << describe(series.error());
     EXPECT_EQ(series->unit, "N");
     EXPECT_EQ(series->layout.rows, 2);
-    EXPECT_NEAR(series->layout.pitch_m, 0.0025, 1e-12);
+    EXPECT_NEAR(series->layout.pitchX_m, 0.0025, 1e-12);
     EXPECT_FLOAT_EQ(series->values[1], 2e3F * 6.25e-6F);
     EXPECT_TRUE(std::isnan(series->values[3])) << "a place outside of the sensor";
     EXPECT_EQ(series->time_s, (std::vector<double>{0.0, 0.01}));
@@ -63,12 +63,17 @@ TEST_F(TekscanFileTest, aRecordingThatIsCutOffGivesNothing) {
     EXPECT_NE(refusal(kHead + kData + "Frame 1\n1,2\n3\n").find(":13:1:"), std::string::npos);
 }
 
+TEST_F(TekscanFileTest, rowsAndColumnsMayBeApartDifferently) {
+    const auto series = read(replaced(kHead, "0.25 cm", "5 mm") + kData + kFirst);
+    ASSERT_TRUE(series) << describe(series.error());
+    EXPECT_NEAR(series->layout.pitchX_m, 0.005, 1e-12);
+    EXPECT_NEAR(series->layout.pitchY_m, 0.0025, 1e-12);
+}
+
 TEST_F(TekscanFileTest, headsThatDoNotFitAreRefused) {
     EXPECT_NE(refusal(replaced(kHead, "COLS 2", "COLS 2000") + kData + kFirst).find("COLS"),
               std::string::npos);
     EXPECT_NE(refusal(replaced(kHead, "kPa", "furlongs") + kData + kFirst).find("UNITS"), std::string::npos);
-    EXPECT_NE(refusal(replaced(kHead, "0.25 cm", "5 mm") + kData + kFirst).find("--pitch-mm"),
-              std::string::npos);
     EXPECT_NE(refusal(replaced(kHead, "SECONDS_PER_FRAME 0.01\n", "") + kData + kFirst).find("--rate"),
               std::string::npos);
     FrameRequest request;

@@ -31,7 +31,7 @@ playback::Program builtInProgram(const std::string& id) {
 }
 
 /// 9 x 9 taxels of 5 mm around the crest of the forearm: the middle one lies at P_C = 0.15 m.
-constexpr core::ArrayLayout kSkin{.rows = 9, .columns = 9, .pitch_m = 0.005};
+constexpr core::ArrayLayout kSkin{.rows = 9, .columns = 9, .pitchX_m = 0.005};
 constexpr double kDistance_m = 0.15;
 
 std::vector<float> pressedInTheMiddle(double force_N) {

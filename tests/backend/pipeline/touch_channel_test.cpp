@@ -23,7 +23,7 @@ using teleta::test::ScriptedSource;
 
 namespace {
 
-constexpr ArrayLayout kLayout{.rows = 2, .columns = 3, .pitch_m = 0.01};
+constexpr ArrayLayout kLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
 
 struct Channel {
     explicit Channel(ChannelSettings settings = {}, std::size_t capacity = 64) {
@@ -41,7 +41,7 @@ struct Channel {
 
 TEST(TouchChannel, joinsTheTwoPartsOfAContactAtTheSeamOfASheetAroundACylinder) {
     // 6 rows of 3.4 mm close around a cylinder: the first row is the neighbour of the last one.
-    constexpr ArrayLayout kSheet{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+    constexpr ArrayLayout kSheet{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
     auto made = std::make_unique<ScriptedSource>(kSheet);
     ScriptedSource& source = *made;
     TouchChannel channel(std::move(made), {});
@@ -55,7 +55,7 @@ TEST(TouchChannel, joinsTheTwoPartsOfAContactAtTheSeamOfASheetAroundACylinder) {
             contacts.push_back(teleta::pipeline::strongestContact(frame, circumference_m));
         });
     };
-    process(6 * kSheet.pitch_m);
+    process(6 * kSheet.pitchX_m);
     ASSERT_EQ(contacts.size(), 1U);
     EXPECT_TRUE(contacts[0].touching);
     EXPECT_NEAR(contacts[0].force_N, 4.0, 1e-9);
@@ -67,7 +67,7 @@ TEST(TouchChannel, joinsTheTwoPartsOfAContactAtTheSeamOfASheetAroundACylinder) {
     EXPECT_NEAR(contacts[1].force_N, 3.0, 1e-9);
     EXPECT_NEAR(contacts[1].y_m, kSheet.y_m(5), 1e-12);
     source.push(std::vector<float>(kSheet.taxels()), 0.015);
-    process(6 * kSheet.pitch_m);
+    process(6 * kSheet.pitchX_m);
     EXPECT_FALSE(contacts[2].touching);
 }
 

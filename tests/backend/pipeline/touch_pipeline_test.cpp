@@ -24,7 +24,7 @@ using teleta::test::ScriptedSource;
 
 namespace {
 
-constexpr ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+constexpr ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
 /// Opens a scripted source and hands out the channel and a pointer to the source.
 std::shared_ptr<TouchChannel> openScripted(TouchPipeline& pipeline, ScriptedSource*& source) {

@@ -202,7 +202,7 @@ TEST(CheckScene, refusesWhatNoFileCouldSay) {
     EXPECT_TRUE(broken([](scene::Scene& s) { s.rate_Hz = std::nan(""); }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.rows = 0; }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.columns = 1025; }));
-    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.pitch_m = 0.0; }));
+    EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.layout.pitchX_m = 0.0; }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.stiffness_NPerM = -1.0; }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.array().sensor.firingThreshold_N = -1.0; }));
     EXPECT_TRUE(broken([](scene::Scene& s) { s.array().indenters[0].shape = scene::Sphere{0.0}; }));

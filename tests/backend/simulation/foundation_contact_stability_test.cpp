@@ -77,8 +77,8 @@ TEST(FoundationContactStability, followsTheClosedFormForTheSmallestRadii) {
 
 // A ball that is flat over the whole array: the mean of r^2 over a rectangle W x H is (W^2 + H^2)/12.
 TEST(FoundationContactStability, followsTheClosedFormForTheLargestRadii) {
-    const double width_m = 14 * kLayout.pitch_m;
-    const double height_m = 6 * kLayout.pitch_m;
+    const double width_m = 14 * kLayout.pitchX_m;
+    const double height_m = 6 * kLayout.pitchX_m;
     for (double radius_m = 1e2; radius_m < 1e13; radius_m *= 10.0) {
         constexpr double kDepth_m = 1e-3;
         const double mean_m = kDepth_m - (width_m * width_m + height_m * height_m) / 12.0 / (2.0 * radius_m);

@@ -70,7 +70,7 @@ TEST(FoundationContact, loadsATaxelThatIsWhollyUnderAPunchWithItsOwnStiffness) {
 }
 
 TEST(FoundationContact, carriesOnlyWhatLiesOnTheArray) {
-    const double border_m = 7 * kLayout.pitch_m;
+    const double border_m = 7 * kLayout.pitchX_m;
     const Pressed half = pressed(Sphere{0.006}, {border_m, 0.0, 0.001, 0.0});
     EXPECT_NEAR(half.total_N(), 0.5 * kBed_NPerM3 * sphereVolume_m3(0.006, 0.001), 0.005);
     EXPECT_EQ(pressed(Sphere{0.006}, {border_m + 0.0061, 0.0, 0.001, 0.0}).total_N(), 0.0);
@@ -86,8 +86,8 @@ TEST(FoundationContact, hasItsCentreOfPressureUnderASymmetricBody) {
               Pose{-0.0041, 0.0012, 0.0013, 0.5}}) {
             const Pressed result = pressed(shape, pose);
             ASSERT_TRUE(result.truth.copX_m && result.truth.copY_m);
-            EXPECT_NEAR(*result.truth.copX_m, pose.x_m, 0.01 * kLayout.pitch_m);
-            EXPECT_NEAR(*result.truth.copY_m, pose.y_m, 0.01 * kLayout.pitch_m);
+            EXPECT_NEAR(*result.truth.copX_m, pose.x_m, 0.01 * kLayout.pitchX_m);
+            EXPECT_NEAR(*result.truth.copY_m, pose.y_m, 0.01 * kLayout.pitchX_m);
         }
     }
 }
@@ -131,7 +131,7 @@ TEST(FoundationContact, addsBodiesThatAreApartAndPressesOnceWhereTheyOverlap) {
 TEST(FoundationContact, changesLoadsSmoothlyWhileABodyMoves) {
     constexpr double kStep_m = 1e-6;
     constexpr double kDepth_m = 0.001;
-    const double limit_N = 2.0 * kBed_NPerM3 * kDepth_m * kStep_m * std::numbers::sqrt2 * kLayout.pitch_m;
+    const double limit_N = 2.0 * kBed_NPerM3 * kDepth_m * kStep_m * std::numbers::sqrt2 * kLayout.pitchX_m;
     for (const IndenterShape& shape :
          {IndenterShape(Sphere{0.006}), IndenterShape(Sphere{0.0012}), IndenterShape(Cylinder{0.004, 0.01}),
           IndenterShape(BoxEdge{0.01}), IndenterShape(FlatPunch{0.008, 0.004})}) {

@@ -63,7 +63,7 @@ protected:
         replay::RecordedConfig config;
         config.speed = speed;
         config.path = path();
-        config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+        config.array.layout = core::ArrayLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
         config.clock = m_clock;
         if (arm)
             config.jointStream = 1;
@@ -224,7 +224,7 @@ TEST_F(RecordedDeviceTest, anUnpacedPlaybackWaitsForItsConsumerAndLosesNothing) 
     config.speed = kUnpacedSpeed;
     config.queueBlocks = 2;
     config.path = path();
-    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.array.layout = core::ArrayLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
     config.clock = std::make_shared<core::PacingClock>();
     auto player = replay::RecordedPlayer::open(config);
     ASSERT_TRUE(player);
@@ -322,7 +322,7 @@ TEST_F(RecordedDeviceTest, leavingTheHighestSpeedIsAJumpBack) {
     config.speed = kUnpacedSpeed;
     config.queueBlocks = 2;
     config.path = path();
-    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.array.layout = core::ArrayLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
     config.clock = std::make_shared<core::PacingClock>();
     m_array = std::make_unique<replay::RecordedArray>(replay::RecordedPlayer::open(config).value());
     m_array->start(m_wakeup);
@@ -354,7 +354,7 @@ TEST_F(RecordedDeviceTest, onlyTheBlockOfAPageThatCannotBeReadIsPassedOver) {
     replay::RecordedConfig config;
     config.speed = kUnpacedSpeed;
     config.path = path();
-    config.array.layout = {.rows = 32, .columns = 32, .pitch_m = 0.01};
+    config.array.layout = core::ArrayLayout{.rows = 32, .columns = 32, .pitchX_m = 0.01};
     config.clock = m_clock;
     m_array = std::make_unique<replay::RecordedArray>(replay::RecordedPlayer::open(config).value());
     m_array->start(m_wakeup);
@@ -409,7 +409,7 @@ TEST_F(RecordedDeviceTest, whatIsPlayedTogetherHasOneTime) {
     write(4); // from 1.0 s to 1.3 s of the recording
     replay::RecordedConfig config;
     config.path = path();
-    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.array.layout = core::ArrayLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
     config.clock = m_clock;
     config.span = replay::RecordedConfig::Span{kStart_ns, kStart_ns + 2'000'000'000};
     auto player = replay::RecordedPlayer::open(config);
@@ -469,7 +469,7 @@ replay::RecordedConfig partOfTwo(const std::string& path, std::size_t stream,
     replay::RecordedConfig config;
     config.path = path;
     config.stream = stream;
-    config.array.layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    config.array.layout = core::ArrayLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
     config.clock = std::move(clock);
     config.span = replay::RecordedConfig::Span{kStart_ns, kStart_ns + kSpan_ns};
     return config;

@@ -36,7 +36,7 @@ public:
     }
     [[nodiscard]] core::SourceDescription skinDescription() const override {
         return {.name = "counter",
-                .layout = {1, 2, 0.01},
+                .layout = core::ArrayLayout{1, 2, 0.01},
                 .unit = "N",
                 .nominalRate_Hz = 200.0,
                 .simulated = true};

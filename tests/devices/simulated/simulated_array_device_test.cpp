@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] core::SourceDescription description() const override {
         return {.name = "counter",
-                .layout = {1, 2, 0.01},
+                .layout = core::ArrayLayout{1, 2, 0.01},
                 .unit = "N",
                 .nominalRate_Hz = m_rate_Hz,
                 .simulated = true};

@@ -27,7 +27,9 @@ TEST(MagnetometersFile, isADescribedArrayInMicrotesla) {
     EXPECT_EQ(file->name, "skin");
     EXPECT_EQ(file->address, link::Address(link::SerialAddress{"/files/ttyACM0", 115200}));
     EXPECT_EQ(file->grid.unit(), "µT");
-    EXPECT_EQ(file->grid.layout(), (core::ArrayLayout{3, 3, 0.007}));
+    EXPECT_EQ(file->grid.layout().grid(), (core::ArrayLayout{3, 3, 0.007}));
+    EXPECT_TRUE(file->grid.layout().isVector());
+    EXPECT_TRUE(file->grid.layout().isAbsent(0));
     EXPECT_EQ(file->touchedFrom(), 40.0);
     EXPECT_EQ(file->restFrames, 50);
     EXPECT_EQ(std::get<BinaryFormat>(file->format).length, 82U) << "16 bytes a chip and the end";
@@ -44,7 +46,7 @@ TEST(MagnetometersFile, saysWhatIsWrongWhere) {
         {"chips = 5", "chips = 65", "64", 4},
         {"chips = 5", "chips = 4", "a list of 4 lists", 6},
         {"'binary'", "'text'", "reskin_text", 5},
-        {"[0, -7]]", "[0, 7]]", "no square grid", 6},
+        {"[0, -7]]", "[0, 7]]", "taxels 3 and 4 are at the same place", 6},
         {"'-z'", "'z'", "no three axes", 7},
         {"threshold_uT = 40.0\n", "", "threshold_uT", 0},
         {"'magnetometers'", "'magnetometer'", "taxels", 1},

@@ -84,15 +84,19 @@ protected:
 constexpr const char* kForces = "values = 'calibrated'\n";
 constexpr const char* kRaw = "values = 'raw'\nthreshold = 100.0\n";
 
-TEST_F(Xela, showsWhatPressesOfForcesInNewtons) {
+TEST_F(Xela, givesTheForcesOfEachTaxelInNewtons) {
     start(kForces);
     EXPECT_EQ(m_device->description().unit, "N");
-    EXPECT_EQ(m_device->description().layout, (core::ArrayLayout{4, 4, 0.0047}));
+    EXPECT_EQ(m_device->description().layout, core::TaxelLayout(core::ArrayLayout{4, 4, 0.0047}, 3));
     ASSERT_TRUE(m_server.command("forces 786 789"));
     ASSERT_TRUE(m_server.command("forces 792 793"));
     ASSERT_TRUE(receive(6));
-    for (std::size_t i = 0; i < 16; ++i)
-        EXPECT_EQ(m_frames[0][i], 786.0F / 8 + static_cast<float>(3 * i + 2) / 16) << "z of taxel " << i;
+    ASSERT_EQ(m_frames[0].size(), 48U);
+    for (std::size_t i = 0; i < 48; ++i) {
+        const float told = 786.0F / 8 + static_cast<float>(i) / 16;
+        EXPECT_EQ(m_frames[0][i], i % 3 == 2 ? -told : told)
+            << "the sensor's z points into the surface: " << i;
+    }
     EXPECT_EQ(m_numbers, (std::vector<std::uint64_t>{0, 1, 2, 3, 6, 7})) << "two messages are missing";
     EXPECT_EQ(m_device->status().framesLost, 2U);
     EXPECT_NEAR(m_time_s[3] - m_time_s[0], 0.03, 1e-6);
@@ -108,8 +112,10 @@ TEST_F(Xela, givesRawNumbersAsADescribedArrayDoes) {
     m_server.say("raw 0 999"); // which is read while it is sent
     ASSERT_TRUE(receive(1000));
     for (std::size_t n = 0; n < 1000; ++n)
-        for (std::size_t i = 0; i < 16; ++i)
-            ASSERT_EQ(m_frames[n][i], static_cast<float>((n * 131 + 3 * i + 2) & 0xFFFFU));
+        for (std::size_t i = 0; i < 48; ++i) {
+            const auto told = static_cast<float>((n * 131 + i) & 0xFFFFU);
+            ASSERT_EQ(m_frames[n][i], i % 3 == 2 ? -told : told);
+        }
     EXPECT_EQ(m_device->status().framesLost, 0U);
     const auto driver = std::exchange(m_frames, {});
     m_device.reset();
@@ -136,7 +142,7 @@ TEST_F(Xela, dropsAndCountsWhatIsNoFrameOfTheSensor) {
                              "say {\"message\": 7, \"1\": {\"calibrated\": [NaN]}}", "forces 8 8"})
         ASSERT_TRUE(m_server.command(line)) << line;
     ASSERT_TRUE(receive(3));
-    EXPECT_EQ(m_frames[2][0], 8.0F / 8 + 2.0F / 16);
+    EXPECT_EQ(m_frames[2][2], -(8.0F / 8 + 2.0F / 16));
     EXPECT_EQ(m_device->counters().line.badValues, 5U);
     EXPECT_EQ(m_device->counters().line.otherFrames, 2U) << "the welcome, and a message without this sensor";
     EXPECT_EQ(m_device->status().framesLost, 5U);

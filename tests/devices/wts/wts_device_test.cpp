@@ -150,9 +150,9 @@ TEST_P(WtsDeviceOnAnyLink, knowsTheArrayBeforeItStarts) {
     emulate(GetParam());
     open(config(longTimes()));
     const core::SourceDescription& description = m_device->description();
-    EXPECT_EQ(description.layout.rows, 6);
-    EXPECT_EQ(description.layout.columns, 14);
-    EXPECT_EQ(description.layout.pitch_m, 0.0034); // exactly: layouts are compared
+    EXPECT_EQ(description.layout.grid().rows, 6);
+    EXPECT_EQ(description.layout.grid().columns, 14);
+    EXPECT_EQ(description.layout.grid().pitchX_m, 0.0034); // exactly: layouts are compared
     EXPECT_EQ(description.unit, "counts");
     EXPECT_FALSE(description.simulated);
     EXPECT_EQ(m_device->matrix().fullScale, 4095);
@@ -482,7 +482,7 @@ TEST_F(WtsDeviceTest, opensWhileTheSensorBoots) {
     append(noise, {0xAA, 0xAA, 0xAA, 0x00, 0xC8, 0x00}); // a frame that was cut off and swallows the answer
     emulate(EmulatedWts::Link::pty, {.beforeAnswer = noise});
     open(config(shortTimes()));
-    EXPECT_EQ(m_device->description().layout.columns, 14);
+    EXPECT_EQ(m_device->description().layout.grid().columns, 14);
 }
 
 TEST_F(WtsDeviceTest, givesUpOnASensorThatDoesNotAnswer) {
@@ -508,7 +508,7 @@ TEST_F(WtsDeviceTest, refusesArraysThatItCannotShow) {
     const std::vector<Case> cases{{{.columns = 0}, "0 columns"},
                                   {{.rows = 1025}, "1025 rows"},
                                   {{.columns = 400, .rows = 400}, "400 rows"},
-                                  {{.cellWidth_10um = 340, .cellHeight_10um = 350}, "3.5 mm high"},
+                                  {{.cellWidth_10um = 340, .cellHeight_10um = 0}, "0 mm high"},
                                   {{.cellWidth_10um = 0, .cellHeight_10um = 0}, "0 mm wide"},
                                   {{.matrixParams = 9}, "9 bytes"},
                                   {{.status = {{Command::matrixInfo, 3}}}, "not initialised"}};

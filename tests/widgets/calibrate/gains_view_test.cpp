@@ -22,7 +22,7 @@ namespace {
 
 std::shared_ptr<const TaxelGains> someGains() {
     auto gains = std::make_shared<TaxelGains>();
-    gains->layout = {.rows = 2, .columns = 3, .pitch_m = 0.01};
+    gains->layout = {.rows = 2, .columns = 3, .pitchX_m = 0.01};
     gains->presses = 1;
     gains->frames = 400;
     for (const double gain : {1.25, 0.8, 1.0, 1.0, 1.1, 0.9})

@@ -82,7 +82,7 @@ private slots:
 
     void aViewWithoutRoomHasADefinedLayout() {
         const HeatmapLayout layout(QRectF(0, 0, 10, 10), QFontMetricsF(QApplication::font()),
-                                   {256, 256, 0.001}, {1.0, {128.0, 128.0}}, 1.0);
+                                   ArrayLayout{256, 256, 0.001}, {1.0, {128.0, 128.0}}, 1.0);
         QVERIFY(layout.taxelSide() > 0.0);
         QVERIFY(std::isfinite(layout.colourBar().height()));
     }

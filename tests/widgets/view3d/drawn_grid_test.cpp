@@ -11,7 +11,7 @@ using teleta::core::ArrayLayout;
 using teleta::view3d::DrawnGrid;
 
 TEST(DrawnGrid, aSmallArrayIsDrawnTaxelByTaxel) {
-    const ArrayLayout layout{.rows = 2, .columns = 3, .pitch_m = 0.01};
+    const ArrayLayout layout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
     const DrawnGrid grid(layout);
     ASSERT_EQ(grid.block(), 1);
     ASSERT_EQ(grid.cells(), 6U);
@@ -27,7 +27,7 @@ TEST(DrawnGrid, aSmallArrayIsDrawnTaxelByTaxel) {
 }
 
 TEST(DrawnGrid, aLargeArrayIsDrawnInBlocksThatCoverItExactly) {
-    const ArrayLayout layout{.rows = 300, .columns = 257, .pitch_m = 0.001};
+    const ArrayLayout layout{.rows = 300, .columns = 257, .pitchX_m = 0.001};
     const DrawnGrid grid(layout);
     EXPECT_EQ(grid.block(), 3); // 300 / 128, rounded up
     EXPECT_EQ(grid.rows(), 100);
@@ -41,7 +41,7 @@ TEST(DrawnGrid, aLargeArrayIsDrawnInBlocksThatCoverItExactly) {
 }
 
 TEST(DrawnGrid, aPeakOfOneTaxelSurvivesTheBlocks) {
-    const ArrayLayout layout{.rows = 1024, .columns = 1024, .pitch_m = 0.001};
+    const ArrayLayout layout{.rows = 1024, .columns = 1024, .pitchX_m = 0.001};
     const DrawnGrid grid(layout);
     EXPECT_EQ(grid.cells(), 128U * 128U);
     std::vector<float> load(layout.taxels(), 0.25F);
@@ -53,7 +53,7 @@ TEST(DrawnGrid, aPeakOfOneTaxelSurvivesTheBlocks) {
 }
 
 TEST(DrawnGrid, aBlockIsDeadOnlyWhenAllItsTaxelsAre) {
-    const ArrayLayout layout{.rows = 2, .columns = 256, .pitch_m = 0.001};
+    const ArrayLayout layout{.rows = 2, .columns = 256, .pitchX_m = 0.001};
     const DrawnGrid grid(layout);
     ASSERT_EQ(grid.block(), 2);
     std::vector<float> load(layout.taxels(), 1.0F);
@@ -71,7 +71,7 @@ TEST(DrawnGrid, aBlockIsDeadOnlyWhenAllItsTaxelsAre) {
 }
 
 TEST(DrawnGrid, oneTaxelThatIsNegativeShowsNoLoad) {
-    const DrawnGrid grid(ArrayLayout{.rows = 1, .columns = 1, .pitch_m = 0.0034});
+    const DrawnGrid grid(ArrayLayout{.rows = 1, .columns = 1, .pitchX_m = 0.0034});
     std::vector<float> cell(1);
     grid.pool(std::vector<float>{-2.0F}, {}, cell);
     EXPECT_EQ(cell.at(0), 0.0F);

@@ -21,7 +21,7 @@ using namespace teleta;
 
 namespace {
 
-constexpr core::ArrayLayout kSkin{.rows = 20, .columns = 24, .pitch_m = 0.0094};
+constexpr core::ArrayLayout kSkin{.rows = 20, .columns = 24, .pitchX_m = 0.0094};
 
 /// A step of 1/30 s: the arm turns, and is touched.
 void step(view3d::Scene3dView& view, std::uint64_t frame) {

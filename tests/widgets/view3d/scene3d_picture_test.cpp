@@ -186,7 +186,7 @@ const std::vector<Example> kExamples{
     {"cylinder",
      [](Scene3dView& view) {
          view.setSurface(view3d::Surface::cylinder);
-         const core::ArrayLayout skin{.rows = 20, .columns = 24, .pitch_m = 0.0094};
+         const core::ArrayLayout skin{.rows = 20, .columns = 24, .pitchX_m = 0.0094};
          view.setCylinder({.radius_m = 0.03, .length_m = 0.226});
          view.setSnapshot(test::pressed(skin, {{1, -0.02, 0.01, 1.0, 0.02}}, 1));
      }},

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
         view.resetView();
         view.setSurface(view3d::Surface::cylinder);
         save(view, folder, theme + QStringLiteral("cylinder"));
-        const core::ArrayLayout mat{.rows = 27, .columns = 64, .pitch_m = 0.0034};
+        const core::ArrayLayout mat{.rows = 27, .columns = 64, .pitchX_m = 0.0034};
         view.setProvenance(base::Provenance::recorded);
         view.setSurface(view3d::Surface::plate);
         view.setSnapshot(test::pressed(mat,

@@ -36,7 +36,7 @@ using view3d::Surface;
 
 namespace {
 
-constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
 view3d::VtkWidget& vtkOf(const Scene3dView& view) {
     return *view.findChild<view3d::VtkWidget*>();
@@ -469,14 +469,14 @@ private slots:
         Stage stage;
         QVERIFY(stage.ready());
         std::uint64_t frame = 0;
-        for (const core::ArrayLayout layout : {core::ArrayLayout{.rows = 1, .columns = 1, .pitch_m = 0.0034},
-                                               {.rows = 256, .columns = 256, .pitch_m = 0.0005},
-                                               {.rows = 27, .columns = 64, .pitch_m = 0.0034},
-                                               {.rows = 1, .columns = 200, .pitch_m = 0.1}}) {
+        for (const core::ArrayLayout layout : {core::ArrayLayout{.rows = 1, .columns = 1, .pitchX_m = 0.0034},
+                                               {.rows = 256, .columns = 256, .pitchX_m = 0.0005},
+                                               {.rows = 27, .columns = 64, .pitchX_m = 0.0034},
+                                               {.rows = 1, .columns = 200, .pitchX_m = 0.1}}) {
             for (const Surface surface : {Surface::plate, Surface::cylinder}) {
                 stage.view.setSurface(surface);
                 stage.view.setSnapshot(
-                    test::pressed(layout, {{2, 0.0, 0.0, 1.0, 4.0 * layout.pitch_m}}, ++frame));
+                    test::pressed(layout, {{2, 0.0, 0.0, 1.0, 4.0 * layout.pitchX_m}}, ++frame));
                 QVERIFY(countHue(shown(stage.view), base::identityColour(2, false)) > 10);
             }
         }

@@ -71,10 +71,10 @@ TEST(SurfaceMap, heightsAreAlongTheNormalAndTheFrameIsRightHanded) {
 
 TEST(SurfaceMap, theCylinderGrowsOnlyWhenTheArrayDoesNotFit) {
     const view3d::CylinderSize nominal;
-    EXPECT_EQ(cylinderThatFits(nominal, {.rows = 6, .columns = 14, .pitch_m = 0.0034}), nominal);
+    EXPECT_EQ(cylinderThatFits(nominal, {.rows = 6, .columns = 14, .pitchX_m = 0.0034}), nominal);
     // 64 columns of 3.4 mm are 217.6 mm long; 60 rows are 204 mm around.
     const view3d::CylinderSize grown =
-        cylinderThatFits(nominal, {.rows = 60, .columns = 64, .pitch_m = 0.0034});
+        cylinderThatFits(nominal, {.rows = 60, .columns = 64, .pitchX_m = 0.0034});
     EXPECT_DOUBLE_EQ(grown.length_m, 0.2176);
     EXPECT_DOUBLE_EQ(grown.radius_m, 0.204 / (2.0 * std::numbers::pi));
 }

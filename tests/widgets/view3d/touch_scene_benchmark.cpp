@@ -14,7 +14,7 @@ namespace {
 core::ArrayLayout layoutOf(const benchmark::State& state) {
     return {.rows = static_cast<int>(state.range(0)),
             .columns = static_cast<int>(state.range(1)),
-            .pitch_m = 0.0034};
+            .pitchX_m = 0.0034};
 }
 
 /// Two frames that alternate, so that every iteration has new loads and contacts.

@@ -26,7 +26,7 @@ using view3d::TouchScene;
 
 namespace {
 
-constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
 TouchScene makeScene() {
     return TouchScene(view3d::SceneColours(base::designedPalette(false)));
@@ -72,10 +72,10 @@ TEST(TouchScene, framesThatDoNotFitTheirLayoutAreRefused) {
     snapshot = test::pressed(kLayout, {});
     snapshot.dead.resize(3);
     EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::refused);
-    for (const core::ArrayLayout layout : {core::ArrayLayout{.rows = 0, .columns = 14, .pitch_m = 0.0034},
-                                           {.rows = 6, .columns = 1025, .pitch_m = 0.0034},
-                                           {.rows = 6, .columns = 14, .pitch_m = 0.0},
-                                           {.rows = 6, .columns = 14, .pitch_m = std::nan("")}}) {
+    for (const core::ArrayLayout layout : {core::ArrayLayout{.rows = 0, .columns = 14, .pitchX_m = 0.0034},
+                                           {.rows = 6, .columns = 1025, .pitchX_m = 0.0034},
+                                           {.rows = 6, .columns = 14, .pitchX_m = 0.0},
+                                           {.rows = 6, .columns = 14, .pitchX_m = std::nan("")}}) {
         snapshot = test::pressed(kLayout, {});
         snapshot.layout = layout;
         EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::refused);

@@ -16,11 +16,11 @@ using view3d::WrenchPart;
 
 namespace {
 
-constexpr core::ArrayLayout kFlat{.rows = 6, .columns = 14, .pitch_m = 0.0034};
+constexpr core::ArrayLayout kFlat{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
 /// Of a frame, by the program's own extractor.
 TactileFeatures featuresOf(const pipeline::TouchSnapshot& snapshot) {
-    contact::FeatureExtractor extractor(snapshot.layout, {.threshold_N = snapshot.threshold_N});
+    contact::FeatureExtractor extractor(snapshot.layout.grid(), {.threshold_N = snapshot.threshold_N});
     return extractor.compute(snapshot.load_N);
 }
 

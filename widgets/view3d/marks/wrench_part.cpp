@@ -44,7 +44,7 @@ void WrenchPart::addTo(vtkRenderer* renderer) {
 void WrenchPart::take(const pipeline::TouchSnapshot& snapshot) {
     // A load at the threshold, one taxel from the centre.
     const double least_Nm =
-        std::max(kRangeInThresholds * snapshot.threshold_N * snapshot.layout.pitch_m, kSmallestRange_Nm);
+        std::max(kRangeInThresholds * snapshot.threshold_N * snapshot.layout.pitch_m(), kSmallestRange_Nm);
     if (std::exchange(m_leastRange_Nm, least_Nm) != least_Nm)
         m_momentRange = base::CalmRange(least_Nm);
     const auto moment_Nm = momentOf_Nm(snapshot.features);

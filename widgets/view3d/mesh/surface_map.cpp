@@ -8,9 +8,9 @@
 namespace teleta::view3d {
 
 CylinderSize cylinderThatFits(const CylinderSize& wanted, const core::ArrayLayout& layout) {
-    const double round_m = layout.rows * layout.pitch_m;
+    const double round_m = layout.rows * layout.pitchY_m;
     return {.radius_m = std::max(wanted.radius_m, round_m / (2.0 * std::numbers::pi)),
-            .length_m = std::max(wanted.length_m, layout.columns * layout.pitch_m)};
+            .length_m = std::max(wanted.length_m, layout.columns * layout.pitchX_m)};
 }
 
 Eigen::Vector3d SurfaceMap::point(double x_m, double y_m, double height_m) const {

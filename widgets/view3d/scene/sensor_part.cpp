@@ -24,16 +24,16 @@ constexpr double kRingSpacing_m = 0.010;
 
 SensorSize SensorSize::of(const core::ArrayLayout& layout, const DrawnGrid& grid, const SurfaceMap& map) {
     SensorSize size;
-    size.halfX_m = 0.5 * layout.columns * layout.pitch_m;
-    size.halfY_m = 0.5 * layout.rows * layout.pitch_m;
-    const double cell_m = layout.pitch_m * grid.block();
+    size.halfX_m = 0.5 * layout.columns * layout.pitchX_m;
+    size.halfY_m = 0.5 * layout.rows * layout.pitchY_m;
+    const double cell_m = std::min(layout.pitchX_m, layout.pitchY_m) * grid.block();
     const double diagonal_m = 2.0 * std::hypot(size.halfX_m, size.halfY_m);
     const double reach_m =
         map.surface() == Surface::cylinder ? std::min(diagonal_m, 2.0 * map.radius_m()) : diagonal_m;
     size.thickness_m = 0.5 * cell_m;
     size.tile_m = 0.06 * cell_m;
     size.rise_m = 0.15 * reach_m;
-    size.mark_m = std::max(0.4 * layout.pitch_m, 0.011 * diagonal_m);
+    size.mark_m = std::max(0.4 * std::min(layout.pitchX_m, layout.pitchY_m), 0.011 * diagonal_m);
     size.arrow_m = 0.28 * diagonal_m;
     return size;
 }

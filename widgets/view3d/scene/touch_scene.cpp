@@ -19,10 +19,12 @@ constexpr double kSmallestRange_N = 1e-30;
 constexpr double kEmptySceneHalf_m = 0.05;
 
 bool isDrawable(const pipeline::TouchSnapshot& snapshot) {
-    const core::ArrayLayout& layout = snapshot.layout;
+    const core::ArrayLayout& layout = snapshot.layout.grid();
     const auto side = [](int n) { return n >= 1 && n <= core::ArrayLayout::kMaximumSide; };
-    return side(layout.rows) && side(layout.columns) && std::isfinite(layout.pitch_m) &&
-           layout.pitch_m > 0.0 && snapshot.load_N.size() == layout.taxels() &&
+    const auto pitch = [](double pitch_m) { return std::isfinite(pitch_m) && pitch_m > 0.0; };
+    return (!snapshot.layout.isGrid() || (side(layout.rows) && side(layout.columns))) &&
+           pitch(layout.pitchX_m) && pitch(layout.pitchY_m) && snapshot.load_N.size() == layout.taxels() &&
+           (snapshot.labels.empty() || snapshot.labels.size() == layout.taxels()) &&
            (snapshot.dead.empty() || snapshot.dead.size() == layout.taxels());
 }
 
@@ -64,11 +66,15 @@ TouchScene::TouchScene(const SceneColours& colours)
 TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
     if (!isDrawable(snapshot))
         return Taken::refused;
-    const bool sameLayout = m_hasSensor && snapshot.layout == m_snapshot.layout;
+    const bool sameLayout = m_hasSensor && snapshot.layout == m_layout;
     if (sameLayout && snapshot.frame == m_snapshot.frame && snapshot.time_ns == m_snapshot.time_ns &&
         snapshot.framesProcessed == m_snapshot.framesProcessed)
         return Taken::same;
     if (!sameLayout) {
+        m_layout = snapshot.layout;
+        m_raster.reset();
+        if (!m_layout.isGrid())
+            m_raster.emplace(*m_layout.places());
         m_bodyStale = true;
         m_touches.clear();
     }
@@ -80,7 +86,7 @@ TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
     }
     m_hasSensor = true;
     m_frameStale = true;
-    m_snapshot = snapshot;
+    m_snapshot = m_raster ? m_raster->drawn(snapshot) : snapshot;
     m_touches.update(snapshot.contacts, snapshot.sourceTime_s);
 
     double peak_N = 0.0;
@@ -128,8 +134,8 @@ bool TouchScene::draw() {
             std::isnan(cell) ? cell : static_cast<float>(std::min(1.0, static_cast<double>(cell) / range_N));
     }
     m_sensor.update(m_cell_N);
-    m_contacts.update(m_snapshot.contacts, m_snapshot.labels, m_snapshot.layout, m_sensor, m_touches, range_N,
-                      m_forceRange.high(), m_colours.dark);
+    m_contacts.update(m_snapshot.contacts, m_snapshot.labels, m_snapshot.layout.grid(), m_sensor, m_touches,
+                      range_N, m_forceRange.high(), m_colours.dark);
     return newBody;
 }
 
@@ -137,7 +143,7 @@ void TouchScene::rebuildSensor() {
     if (!m_hasSensor)
         return;
     const SurfaceMap map(m_surface, cylinder().radius_m);
-    m_sensor.rebuild(m_snapshot.layout, map, cylinder());
+    m_sensor.rebuild(m_snapshot.layout.grid(), map, cylinder());
     m_sensor.setVisible(true);
     m_cell_N.assign(m_sensor.grid().cells(), 0.0F);
     const Eigen::Vector3d body = sensorBox_m().max();
@@ -150,7 +156,7 @@ void TouchScene::rebuildSensor() {
 }
 
 CylinderSize TouchScene::cylinder() const {
-    return m_hasSensor ? cylinderThatFits(m_wantedCylinder, m_snapshot.layout) : m_wantedCylinder;
+    return m_hasSensor ? cylinderThatFits(m_wantedCylinder, m_snapshot.layout.grid()) : m_wantedCylinder;
 }
 
 void TouchScene::setSurface(Surface surface) {

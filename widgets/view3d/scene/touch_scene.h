@@ -8,6 +8,7 @@
 #include "widgets/view3d/scene/contour_part.h"
 #include "widgets/view3d/scene/frame_part.h"
 #include "widgets/view3d/scene/objects_part.h"
+#include "widgets/view3d/scene/place_raster.h"
 #include "widgets/view3d/scene/robot_part.h"
 #include "widgets/view3d/scene/scene_colours.h"
 #include "widgets/view3d/scene/sensor_part.h"
@@ -18,6 +19,7 @@
 #include <vtkRenderer.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -75,6 +77,7 @@ public:
     void applyPixelScale(double scale);
 
     [[nodiscard]] bool hasSensor() const { return m_hasSensor; }
+    /// The frame as it is drawn: taxels that stand on no grid are on one that covers them.
     [[nodiscard]] const pipeline::TouchSnapshot& snapshot() const { return m_snapshot; }
     [[nodiscard]] const SceneColours& colours() const { return m_colours; }
     [[nodiscard]] Surface surface() const { return m_surface; }
@@ -120,7 +123,9 @@ private:
     [[nodiscard]] Eigen::AlignedBox3d sensorBox_m() const;
 
     SceneColours m_colours;
-    pipeline::TouchSnapshot m_snapshot;
+    pipeline::TouchSnapshot m_snapshot; ///< on a grid
+    core::TaxelLayout m_layout;         ///< as the snapshots have it
+    std::optional<PlaceRaster> m_raster;
     FirstTouch m_touches;
     base::CalmRange m_loadRange{1.0};
     base::CalmRange m_forceRange{1.0};

@@ -160,9 +160,9 @@ core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
                                       {},
                                       {file.address}};
         const core::SourceDescription& array = (*opened)->description();
-        found.values = {{"rows", static_cast<double>(array.layout.rows), "1"},
-                        {"columns", static_cast<double>(array.layout.columns), "1"},
-                        {"pitch", array.layout.pitch_m, "m"}};
+        found.values = {{"rows", static_cast<double>(array.layout.grid().rows), "1"},
+                        {"columns", static_cast<double>(array.layout.grid().columns), "1"},
+                        {"pitch", array.layout.grid().largerPitch_m(), "m"}};
     }
     return found;
 }

@@ -38,10 +38,10 @@ core::Expected<FoundDevice> probeRosArray(const std::string& path) {
     const ros_array::RosArrayCounters counters = array.counters();
     if (!found.frameRate_Hz)
         found.error = silence(array.status(), file.topic);
-    const core::ArrayLayout& layout = array.description().layout;
+    const core::ArrayLayout& layout = array.description().layout.grid();
     found.values = {{"rows", static_cast<double>(layout.rows), "1"},
                     {"columns", static_cast<double>(layout.columns), "1"},
-                    {"pitch", layout.pitch_m, "m"},
+                    {"pitch", layout.largerPitch_m(), "m"},
                     {"messages", static_cast<double>(counters.messages), "1"},
                     {"misfits", static_cast<double>(counters.misfits), "1"},
                     {"odd_stamps", static_cast<double>(counters.oddStamps), "1"}};

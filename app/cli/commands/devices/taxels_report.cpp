@@ -50,16 +50,34 @@ std::string bytesText(const taxels::TaxelsProbe& probe) {
     return text;
 }
 
-std::string gridText(const TaxelsReport& report) {
-    const auto columns = static_cast<std::size_t>(report.layout.columns);
+QString numberText(float value) {
+    const QString number = std::isnan(value) ? QStringLiteral(".") : forPeople(static_cast<double>(value));
+    return number.rightJustified(10);
+}
+
+/// A line a taxel: its number, place in mm, and what it tells.
+std::string placesText(const TaxelsReport& report) {
+    constexpr double kMillimetres = 1e3;
+    const auto components = static_cast<std::size_t>(report.layout.components());
     std::string text;
-    for (std::size_t row = static_cast<std::size_t>(report.layout.rows); row-- > 0;) {
-        for (std::size_t column = 0; column < std::min(columns, kWidestGrid); ++column) {
-            const float value = report.probe.first[row * columns + column];
-            const QString number =
-                std::isnan(value) ? QStringLiteral(".") : forPeople(static_cast<double>(value));
-            text += number.rightJustified(10).toStdString();
-        }
+    for (std::size_t taxel = 0; taxel < report.layout.taxels(); ++taxel) {
+        QString line = QString::number(taxel).rightJustified(5) +
+                       forPeople(kMillimetres * report.layout.x_m(taxel)).rightJustified(10) +
+                       forPeople(kMillimetres * report.layout.y_m(taxel)).rightJustified(10);
+        for (std::size_t k = 0; k < components; ++k)
+            line += numberText(report.probe.first[taxel * components + k]);
+        if (!report.layout.isAbsent(taxel))
+            text += line.toStdString() + '\n';
+    }
+    return text;
+}
+
+std::string gridText(const TaxelsReport& report) {
+    const auto columns = static_cast<std::size_t>(report.layout.grid().columns);
+    std::string text;
+    for (std::size_t row = static_cast<std::size_t>(report.layout.grid().rows); row-- > 0;) {
+        for (std::size_t column = 0; column < std::min(columns, kWidestGrid); ++column)
+            text += numberText(report.probe.first[row * columns + column]).toStdString();
         text += columns > kWidestGrid ? " ...\n" : "\n";
     }
     return text;
@@ -87,7 +105,16 @@ std::string textOf(const TaxelsReport& report) {
     if (!report.probe.bytes.empty())
         text = '\n' + TaxelsReportText::tr("Bytes (> begins a frame)").toStdString() + '\n' +
                bytesText(report.probe);
-    if (!report.probe.first.empty())
+    const bool isGridOfLoads = report.layout.isGrid() && !report.layout.isVector();
+    if (!report.probe.first.empty() && !isGridOfLoads)
+        text += '\n' +
+                (report.layout.isVector()
+                     ? TaxelsReportText::tr("First frame: taxel, x and y in mm, and its x, y and z in %1")
+                     : TaxelsReportText::tr("First frame: taxel, x and y in mm, and its load in %1"))
+                    .arg(QString::fromStdString(report.unit))
+                    .toStdString() +
+                '\n' + placesText(report);
+    if (!report.probe.first.empty() && isGridOfLoads)
         text += '\n' +
                 TaxelsReportText::tr("First frame in %1, the last row first")
                     .arg(QString::fromStdString(report.unit))
@@ -108,8 +135,9 @@ nlohmann::ordered_json toJson(const TaxelsReport& report) {
     nlohmann::ordered_json values = nlohmann::ordered_json::array();
     for (const float value : probe.first)
         values.push_back(std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value));
-    return {{"rows", report.layout.rows},
-            {"columns", report.layout.columns},
+    return {{"rows", report.layout.grid().rows},
+            {"columns", report.layout.grid().columns},
+            {"components", report.layout.components()},
             {"unit", report.unit},
             {"frames", probe.counters.frames},
             {"frame_bytes", probe.counters.frameBytes},

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/base/command_io.h"
-#include "backend/core/data/array_layout.h"
+#include "backend/core/data/taxel_layout.h"
 #include "devices/taxels/taxels_probe.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,7 +14,7 @@ namespace teleta::cli {
 /// What a described array sent, for who writes its description.
 struct TaxelsReport {
     taxels::TaxelsProbe probe;
-    core::ArrayLayout layout;
+    core::TaxelLayout layout;
     std::string unit;
 };
 

@@ -24,7 +24,7 @@ using console::SourceManager;
 
 namespace {
 
-constexpr core::ArrayLayout kLayout{.rows = 2, .columns = 3, .pitch_m = 0.01};
+constexpr core::ArrayLayout kLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
 constexpr std::array kResponse{1.0, 2.0, 3.0, 2.0, 1.0, 3.0}; // mean 2
 
 } // namespace

@@ -62,7 +62,7 @@ struct ScriptedChannel {
         std::unique_ptr<core::ArmSource>(arm),
         std::make_shared<pipeline::TouchChannel>(
             std::unique_ptr<core::TactileSource>(std::make_unique<test::ScriptedSource>(
-                core::ArrayLayout{.rows = 9, .columns = 9, .pitch_m = 0.005})),
+                core::ArrayLayout{.rows = 9, .columns = 9, .pitchX_m = 0.005})),
             pipeline::ChannelSettings{}));
 };
 

@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(request.path, guess().path);
         QCOMPARE(request.layout.rows, 12);
         QCOMPARE(request.layout.columns, 6);
-        QCOMPARE(request.layout.pitch_m, 0.05);
+        QCOMPARE(request.layout.pitchX_m, 0.05);
         QCOMPARE(request.tarePath, guess().tarePath);
         QCOMPARE(request.gainsPath, guess().gainsPath);
         QCOMPARE(request.threshold_N, 5.0);

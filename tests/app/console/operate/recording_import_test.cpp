@@ -59,8 +59,10 @@ private slots:
         auto recorder =
             recording::Recorder::start(path, head, {.simulatedTime = true, .queueBlocks = kFrames});
         QVERIFY(recorder);
-        const core::SourceDescription description{
-            .name = "array", .layout = {16, 16, 0.0034}, .unit = "N", .nominalRate_Hz = 1000.0};
+        const core::SourceDescription description{.name = "array",
+                                                  .layout = core::ArrayLayout{16, 16, 0.0034},
+                                                  .unit = "N",
+                                                  .nominalRate_Hz = 1000.0};
         const auto tap = (*recorder)->addStream(pipeline::arrayStream("frames", description, {}));
         const std::array<float, 256> values{0.1F, 0.2F, 0.3F};
         for (int i = 0; i < kFrames; ++i)

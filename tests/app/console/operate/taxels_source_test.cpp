@@ -3,6 +3,7 @@
 #include "app/sources/source_request.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
 #include "backend/pipeline/touch_channel.h"
+#include "backend/recording/csv_export.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/recording.h"
 #include "tests/backend/core/temporary_folder.h"
@@ -11,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <string>
 
 namespace teleta::console {
 namespace {
@@ -60,7 +63,7 @@ TEST_F(TaxelsSource, isShownRecordedAndFoundInItsRecordingInItsOwnUnit) {
     ASSERT_TRUE(channel.update());
     ASSERT_EQ(channel.snapshot().contacts.size(), 1U);
     EXPECT_EQ(channel.snapshot().contacts[0].taxels, 5);
-    EXPECT_EQ(channel.snapshot().features.dead, 4) << "the corners of the cross have no taxel";
+    EXPECT_EQ(channel.snapshot().features.dead, 0) << "the corners of the cross have no taxel";
     EXPECT_NEAR(channel.snapshot().contacts[0].x_m, 0.0, 1e-9);
     EXPECT_EQ(channel.snapshot().loadUnit, "mT");
 
@@ -70,7 +73,8 @@ TEST_F(TaxelsSource, isShownRecordedAndFoundInItsRecordingInItsOwnUnit) {
     ASSERT_TRUE(sources) << core::describe(sources.error());
     ASSERT_EQ(sources->arrays.size(), 1U);
     const core::SourceDescription& array = sources->arrays[0].array.description;
-    EXPECT_EQ(array.layout, (core::ArrayLayout{3, 3, 0.004}));
+    EXPECT_EQ(array.layout.grid(), (core::ArrayLayout{3, 3, 0.004}));
+    EXPECT_TRUE(array.layout.isAbsent(0));
     EXPECT_EQ(array.unit, "mT");
     EXPECT_EQ(sources->arrays[0].array.settings.loadUnit, "mT");
     recording::StreamReader reader = recording->reader(sources->arrays[0].arrayStream);
@@ -90,6 +94,80 @@ TEST_F(TaxelsSource, isShownRecordedAndFoundInItsRecordingInItsOwnUnit) {
     const auto replayed = app::openRecording(again->front(), m_stop);
     ASSERT_TRUE(replayed) << core::describe(replayed.error());
     EXPECT_EQ(dynamic_cast<pipeline::TouchChannel&>(**replayed).description().layout, array.layout);
+}
+
+/// Three magnetometers off a grid, with the field as vectors. The second frame presses and pushes the first.
+TEST_F(TaxelsSource, vectorsOffAGridAreShownRecordedExportedAndPlayed) {
+    m_folder.write("bytes.csv", "0,0,0,0,0,0,0,0,0\n3,4,-10,0,0,0,0,0,0\n");
+    const std::string device =
+        m_folder.write("skin.toml", "kind = 'taxels'\nname = 'skin'\nthreshold = 0.5\n[link]\ntype = 'file'\n"
+                                    "path = 'bytes.csv'\n[layout]\nunit = 'uT'\ncomponents = 3\n"
+                                    "positions_mm = [[0, 0], [4, 1], [9, 0]]\n"
+                                    "[frame]\nencoding = 'csv'\ncolumns = '1..9'\nskip = 0\n");
+    const auto opened = app::makeSourceFactory(app::TaxelsRequest{device}, m_stop)();
+    ASSERT_TRUE(opened) << core::describe(opened.error());
+    auto& channel = dynamic_cast<pipeline::TouchChannel&>(**opened);
+    const core::TaxelLayout layout = channel.description().layout;
+    EXPECT_FALSE(layout.isGrid());
+    const std::string path = m_folder.path("run.teleta");
+    core::Wakeup data;
+    {
+        auto started = recording::Recorder::start(path, {});
+        ASSERT_TRUE(started) << core::describe(started.error());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        channel.record(recorder, "skin");
+        channel.start(data);
+        ASSERT_TRUE(teleta::test::eventually(data, [&] {
+            channel.process();
+            return channel.framesProcessed() == 2;
+        }));
+        channel.stop();
+        channel.record(nullptr, {});
+        ASSERT_TRUE(recorder->stop());
+    }
+    const auto expectPressed = [](const pipeline::TouchSnapshot& snapshot) {
+        ASSERT_EQ(snapshot.contacts.size(), 1U);
+        EXPECT_NEAR(snapshot.contacts[0].x_m, -0.0045, 1e-9) << "from the middle of the box";
+        ASSERT_TRUE(snapshot.contacts[0].shear);
+        EXPECT_NEAR(snapshot.contacts[0].force_N, 10.0, 1e-6);
+        EXPECT_NEAR(snapshot.contacts[0].shear->friction, 0.5, 1e-6);
+        EXPECT_NEAR(snapshot.features.shear->x_N, 3.0, 1e-6);
+    };
+    ASSERT_TRUE(channel.update());
+    expectPressed(channel.snapshot());
+
+    const auto recording = recording::Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    const std::string folder = m_folder.path("csv");
+    const auto written = recording::exportCsv(*recording, folder);
+    ASSERT_TRUE(written) << core::describe(written.error());
+    const auto firstLineOf = [&](const std::string& name) {
+        std::ifstream file(folder + '/' + name);
+        std::string line;
+        std::getline(file, line);
+        return line;
+    };
+    EXPECT_EQ(firstLineOf("skin-frames.csv"), "time_s,t0_x,t0_y,t0_z,t1_x,t1_y,t1_z,t2_x,t2_y,t2_z");
+    EXPECT_EQ(firstLineOf("skin-features.csv"),
+              "time_s,contact_type,force_ut,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,alpha_z_rad,"
+              "lambda1_m2,lambda2_m2,active,shear_x_ut,shear_y_ut,moment_z_ut_m,friction_ratio");
+
+    const auto requests = app::recordingRequestsOf(path);
+    ASSERT_TRUE(requests);
+    const auto replayed = app::openRecording(requests->front(), m_stop);
+    ASSERT_TRUE(replayed) << core::describe(replayed.error());
+    auto& again = dynamic_cast<pipeline::TouchChannel&>(**replayed);
+    EXPECT_EQ(again.description().layout, layout);
+    EXPECT_EQ(again.settings().loadUnit, "uT");
+    again.start(data);
+    again.playback()->play();
+    ASSERT_TRUE(teleta::test::eventually(data, [&] {
+        again.process();
+        return again.framesProcessed() >= 2;
+    }));
+    again.stop();
+    ASSERT_TRUE(again.update());
+    expectPressed(again.snapshot());
 }
 
 TEST_F(TaxelsSource, saysWhereItsDescriptionIsWrong) {

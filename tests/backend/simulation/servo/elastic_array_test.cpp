@@ -43,7 +43,7 @@ TEST(ElasticArray, aTiltedWallMovesTheCentreOfPressureAsABeamOnSprings) {
     // CoP_x = tilt * <x^2> / depth; columns of two springs have <x^2> = (n^2 - 1) c^2 / 12 with n = 28.
     const double depth_m = 0.4e-3;
     const double tilt_rad = 0.01;
-    const double cell_m = 0.5 * kLayout.pitch_m;
+    const double cell_m = 0.5 * kLayout.pitchX_m;
     const double square_m2 = (28.0 * 28.0 - 1.0) * cell_m * cell_m / 12.0;
     std::vector<double> load_N(kLayout.taxels());
     const ArrayLoads loads = softArray().readLoads(inFront(-depth_m, 0.0, tilt_rad), WallSurface{}, load_N);
@@ -69,12 +69,12 @@ TEST(ElasticArray, aBarAlongTheRowsPressesAsTheIntegralOfItsDepth) {
         const double distance_m = std::hypot(v_m, radius_m - depth_m);
         area_m2 += (radius_m - distance_m) * (radius_m - depth_m) / distance_m * 2.0 * half_m / kParts;
     }
-    const double expected_N = kTaxel_NPerM / kLayout.taxelArea_m2() * area_m2 * 14.0 * kLayout.pitch_m;
+    const double expected_N = kTaxel_NPerM / kLayout.taxelArea_m2() * area_m2 * 14.0 * kLayout.pitchX_m;
     double sum_N = 0.0;
     constexpr int kPlaces = 32;
     for (int i = 0; i < kPlaces; ++i) {
         Eigen::Isometry3d X = inFront(-depth_m);
-        X.translation().y() = kLayout.pitch_m * i / kPlaces;
+        X.translation().y() = kLayout.pitchX_m * i / kPlaces;
         const double force_N = -softArray().press(X, BarSurface(test::straightBar())).wrench_Sensor.z();
         // Four springs a taxel sample the bar's width: their force waves by a few percent about the integral.
         EXPECT_NEAR(force_N, expected_N, 0.06 * expected_N) << i;
@@ -114,7 +114,7 @@ TEST(ElasticArray, theHousingCarriesWhatIsDeeperThanItsRecessAndSensesNothing) {
     EXPECT_EQ(array.readLoads(inFront(-0.49e-3), WallSurface{}, load_N).rim_N, 0.0);
     const ArrayLoads loads = array.readLoads(inFront(-0.6e-3), WallSurface{}, load_N);
     // Two sides of 25 mm and two of 47.6 mm, 2e5 N/m a pitch, 0.1 mm deep.
-    EXPECT_NEAR(loads.rim_N, 2e5 * (2.0 * 0.025 + 2.0 * 0.0476) / kLayout.pitch_m * 0.1e-3, 1e-6);
+    EXPECT_NEAR(loads.rim_N, 2e5 * (2.0 * 0.025 + 2.0 * 0.0476) / kLayout.pitchX_m * 0.1e-3, 1e-6);
     EXPECT_NEAR(loads.force_N, 84.0 * kTaxel_NPerM * 0.6e-3, 1e-7);
 }
 

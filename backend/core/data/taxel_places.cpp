@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/taxel_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace teleta::core {
+
+namespace {
+
+/// Taxels of a real grid are never exactly on its lines. Four corners of a cell count as on the circle
+/// through them while they are off it by less than this share of its diameter.
+constexpr double kOffCircle = 0.01;
+
+double distance2_m2(const TaxelPlace& a, const TaxelPlace& b) {
+    const double x = a.x_m - b.x_m;
+    const double y = a.y_m - b.y_m;
+    const double z = a.z_m - b.z_m;
+    return x * x + y * y + z * z;
+}
+
+double distance_m(const TaxelPlace& a, const TaxelPlace& b) {
+    return std::sqrt(distance2_m2(a, b));
+}
+
+bool liesBetween(const TaxelPlace& other, const TaxelPlace& a, const TaxelPlace& b, double diameter_m) {
+    const TaxelPlace middle{0.5 * (a.x_m + b.x_m), 0.5 * (a.y_m + b.y_m), 0.5 * (a.z_m + b.z_m)};
+    return distance_m(other, middle) < (0.5 - kOffCircle) * diameter_m;
+}
+
+} // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>>
+TaxelPlaces::sameOf(const std::vector<TaxelPlace>& places) {
+    for (std::size_t second = 1; second < places.size(); ++second)
+        for (std::size_t first = 0; first < second; ++first)
+            if (distance2_m2(places[first], places[second]) < kSame_m * kSame_m)
+                return std::pair(first, second);
+    return std::nullopt;
+}
+
+TaxelPlaces::TaxelPlaces(std::vector<TaxelPlace> places)
+    : m_places(std::move(places))
+    , m_neighbours(m_places.size())
+    , m_spacing_m(m_places.size(), kLoneSpacing_m) {
+    measureSpacings();
+    joinNeighbours();
+}
+
+void TaxelPlaces::measureSpacings() {
+    if (m_places.size() < 2)
+        return;
+    for (std::size_t i = 0; i < m_places.size(); ++i) {
+        double nearest_m2 = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < m_places.size(); ++k)
+            if (k != i)
+                nearest_m2 = std::min(nearest_m2, distance2_m2(m_places[i], m_places[k]));
+        m_spacing_m[i] = std::sqrt(nearest_m2);
+    }
+    std::vector<double> sorted = m_spacing_m;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    m_pitch_m = *middle;
+}
+
+void TaxelPlaces::joinNeighbours() {
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < m_places.size(); ++i) {
+        // What lies between two taxels is no further from either than they are from each other.
+        near.clear();
+        for (std::size_t k = 0; k < m_places.size(); ++k)
+            if (k != i &&
+                distance_m(m_places[i], m_places[k]) <= kReach * std::max(m_spacing_m[i], m_spacing_m[k]))
+                near.push_back(k);
+        for (const std::size_t k : near) {
+            const double apart_m = distance_m(m_places[i], m_places[k]);
+            if (k < i && std::ranges::none_of(m_places, [&](const TaxelPlace& other) {
+                    return liesBetween(other, m_places[i], m_places[k], apart_m);
+                })) {
+                m_neighbours[i].push_back(k);
+                m_neighbours[k].push_back(i);
+            }
+        }
+    }
+}
+
+} // namespace teleta::core

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view3d/scene/place_raster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace teleta::view3d {
+
+PlaceRaster::PlaceRaster(const core::TaxelPlaces& places) {
+    double halfX_m = 0.0;
+    double halfY_m = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        halfX_m = std::max(halfX_m, std::abs(places[i].x_m) + 0.5 * places.spacing_m(i));
+        halfY_m = std::max(halfY_m, std::abs(places[i].y_m) + 0.5 * places.spacing_m(i));
+    }
+    const double cell_m =
+        std::max(places.pitch_m() / kCellsAcross, 2.0 * std::max(halfX_m, halfY_m) / kMostSide);
+    const auto cells = [cell_m](double half_m) {
+        return std::clamp(static_cast<int>(std::ceil(2.0 * half_m / cell_m - 1e-9)), 1, kMostSide);
+    };
+    const core::ArrayLayout grid{cells(halfY_m), cells(halfX_m), cell_m};
+    m_taxelOf.assign(grid.taxels(), kNone);
+    std::vector<double> distance_m(grid.taxels(), std::numeric_limits<double>::infinity());
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    for (std::size_t taxel = 0; taxel < places.size(); ++taxel) {
+        // The cell under its centre is its own, however small the disc.
+        const double radius_m = std::max(0.5 * places.spacing_m(taxel), std::sqrt(0.5) * cell_m);
+        for (std::size_t cell = 0; cell < m_taxelOf.size(); ++cell) {
+            const double away_m =
+                std::hypot(grid.x_m(static_cast<double>(cell % columns)) - places[taxel].x_m,
+                           grid.y_m(static_cast<double>(cell / columns)) - places[taxel].y_m);
+            if (away_m <= radius_m && away_m < distance_m[cell]) {
+                distance_m[cell] = away_m;
+                m_taxelOf[cell] = taxel;
+            }
+        }
+    }
+    m_layout = core::TaxelLayout(grid);
+    std::vector<std::uint8_t> absent(m_taxelOf.size());
+    std::ranges::transform(m_taxelOf, absent.begin(),
+                           [](std::size_t taxel) { return taxel == kNone ? 1 : 0; });
+    m_layout.setAbsent(std::move(absent));
+}
+
+pipeline::TouchSnapshot PlaceRaster::drawn(const pipeline::TouchSnapshot& snapshot) const {
+    pipeline::TouchSnapshot drawn = snapshot;
+    drawn.layout = m_layout;
+    drawn.load_N.assign(m_taxelOf.size(), 0.0F);
+    drawn.dead.assign(m_taxelOf.size(), 0); // no taxel is no dead one
+    drawn.labels.assign(snapshot.labels.empty() ? 0 : m_taxelOf.size(), 0);
+    drawn.shearX_N.clear();
+    drawn.shearY_N.clear();
+    for (std::size_t cell = 0; cell < m_taxelOf.size(); ++cell) {
+        const std::size_t taxel = m_taxelOf[cell];
+        if (taxel == kNone)
+            continue;
+        drawn.load_N[cell] = snapshot.load_N[taxel];
+        drawn.dead[cell] = snapshot.dead.empty() ? 0 : snapshot.dead[taxel];
+        if (!drawn.labels.empty())
+            drawn.labels[cell] = snapshot.labels[taxel];
+    }
+    return drawn;
+}
+
+} // namespace teleta::view3d
