@@ -98,7 +98,10 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
             return core::Unexpected(device.error);
     }
     TELETA_CHECK(site->checkRequired());
-    TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
+    site_link::SiteStreams::Pictures pictures;
+    for (const SiteDevice& device : file.devices)
+        pictures.emplace(device.id, device.pictures);
+    TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot, std::move(pictures)));
     std::vector<site_link::SiteArm> arms;
     for (const Device& device : site->m_devices) {
         device.channel->watch(pipeline::Watcher::liveView, site->m_streams, device.id);

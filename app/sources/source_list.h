@@ -6,6 +6,7 @@
 #include "backend/core/keys/keys.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace teleta::app {
@@ -26,6 +27,10 @@ enum class SourceKind {
 /// Describes the keys of a source and adds what it opens. Relative paths start at the list's folder.
 void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
                     std::vector<SourceRequest>& requests);
+
+/// Describes the keys of a camera that is only looked at. key: the one that names it.
+void describeSceneCamera(core::Keys& keys, std::string_view key, const std::string& listPath,
+                         SceneCameraRequest& request);
 
 /// Reads a source list (TOML): one [[source]] a tactile array, an arm or a camera, in the order in which they
 /// open. A file that describes an array, a gel or a camera over ROS 2 is a list of that one. Errors carry
