@@ -36,6 +36,8 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     arm.name = id;
     arm.source = &channel.device();
     arm.chain = channel.chain();
+    if (!channel.description().simulated)
+        arm.adapter = "none";
     if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {
         arm.adapter = ros->file().adapter == ros_arm::Adapter::moveitServo ? "moveit_servo" : "trajectory";
         arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
@@ -48,6 +50,10 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
         };
     }
     return arm;
+}
+
+bool isMovable(const core::ArmDescription& arm) {
+    return std::ranges::any_of(arm.fastest_radPerS, [](double rate) { return rate > 0.0; });
 }
 
 /// The state of a device as an arm that requires it sees it.
@@ -245,8 +251,9 @@ std::vector<std::string> RunningSite::problems() const {
     std::vector<std::string> found;
     for (const Device& device : m_devices) {
         std::string reason = device.channel ? troubleOf(*device.channel) : core::describe(device.error);
+        // An arm that cannot be moved at all is as it should be.
         if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get());
-            joints != nullptr && reason.empty())
+            joints != nullptr && reason.empty() && isMovable(joints->description()))
             reason = joints->device().hindrance();
         if (!reason.empty())
             found.push_back(device.id + ": " + reason);

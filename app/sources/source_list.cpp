@@ -129,8 +129,10 @@ void describeCamera(Keys& keys, const std::string& listPath, CameraRequest& requ
 }
 
 void describeArm(Keys& keys, const std::string& listPath, ArmRequest& request) {
-    describePath(keys, "arm", listPath, request.path,
-                 "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`)");
+    describePath(
+        keys, "arm", listPath, request.path,
+        "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`), or a Modbus device that tells "
+        "the joints of one (`kind = \"modbus\"`)");
 }
 
 void describeTaxels(Keys& keys, const std::string& listPath, TaxelsRequest& request) {
@@ -251,7 +253,11 @@ bool isSourceList(const std::string& path) {
 }
 
 bool isArmFile(const std::string& path) {
-    return hasKind(path, "ros_arm");
+    return hasKind(path, "ros_arm") || isModbusFile(path);
+}
+
+bool isModbusFile(const std::string& path) {
+    return hasKind(path, "modbus");
 }
 
 bool isSiteFile(const std::string& path) {

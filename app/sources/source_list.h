@@ -18,7 +18,7 @@ enum class SourceKind {
     playback,    ///< a recording of this program, all sources of it
     wts,         ///< a Weiss array
     camera,      ///< a camera in a soft tube, or a video of one
-    arm,         ///< an arm over ROS 2
+    arm,         ///< an arm over ROS 2, or the joints of a Modbus device
     taxels,      ///< an array that a file describes
     gel,         ///< a flat gel with markers, or a video of one
     sceneCamera, ///< a camera that is only looked at, or a video
@@ -42,9 +42,11 @@ void describeSceneCamera(core::Keys& keys, std::string_view key, const std::stri
 /// all is none. Not on the GUI's thread.
 [[nodiscard]] bool isSourceList(const std::string& path);
 
-/// Whether a TOML file means to describe an arm over ROS 2, whatever is wrong with it. Not on the GUI's
-/// thread.
+/// Whether a TOML file means to describe an arm over ROS 2 or a Modbus device, whatever is wrong with it. Not
+/// on the GUI's thread.
 [[nodiscard]] bool isArmFile(const std::string& path);
+/// The same of a Modbus device alone, which may tell the joints of an arm.
+[[nodiscard]] bool isModbusFile(const std::string& path);
 /// The same of a site as a console sees it.
 [[nodiscard]] bool isSiteFile(const std::string& path);
 

@@ -94,6 +94,7 @@ void RemoteArm::take(const ros::JointBlock& block) {
         core::JointSample sample;
         sample.time_ns = m_stream.inOrder(m_site->readTime_ns(times[i], arrived_ns));
         sample.sourceTime_s = source[i];
+        sample.arrived_ns = arrived_ns;
         sample.discontinuity = i == 0 && (step.discontinuity || block.discontinuity != 0);
         sample.angle_rad = core::JointVector::zeros(joints);
         sample.reference_rad = sample.angle_rad;
