@@ -148,8 +148,11 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         "camera", tr("Open a camera in the soft tube by its number, or a video of one."), tr("FILE|N"));
     const auto cameraModel =
         option("camera-model", tr("Calibration of that camera (JSON of teleta calibrate)."), tr("FILE"));
-    const auto arm =
-        option("arm", tr("Open an arm over ROS 2, described in a file (TOML; repeatable)."), tr("FILE"));
+    const auto arm = option(
+        "arm",
+        tr("Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; "
+           "repeatable)."),
+        tr("FILE"));
     const auto site = option(
         "site", tr("Connect to a site where teleta-site runs, by its file (TOML; repeatable)."), tr("FILE"));
     const auto pattern =

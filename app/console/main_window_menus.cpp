@@ -116,7 +116,7 @@ void MainWindow::buildArmMenu() {
 }
 
 void MainWindow::openArm() {
-    askForFile(tr("Open arm"), tr("Arms over ROS 2 (*.toml)"), &FileOpener::openArm);
+    askForFile(tr("Open arm"), tr("Arms (*.toml)"), &FileOpener::openArm);
 }
 
 void MainWindow::openSite() {

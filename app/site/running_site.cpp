@@ -37,6 +37,8 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     arm.source = &channel.device();
     arm.guarded = channel.description().guarded;
     arm.chain = channel.chain();
+    if (!channel.description().simulated)
+        arm.adapter = "none";
     if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {
         arm.adapter = ros_arm::nameOf(ros->file().adapter);
         arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
@@ -49,6 +51,10 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
         };
     }
     return arm;
+}
+
+bool isMovable(const core::ArmDescription& arm) {
+    return std::ranges::any_of(arm.fastest_radPerS, [](double rate) { return rate > 0.0; });
 }
 
 /// The state of a device as an arm that requires it sees it.
@@ -99,7 +105,10 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
             return core::Unexpected(device.error);
     }
     TELETA_CHECK(site->checkRequired());
-    TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot));
+    site_link::SiteStreams::Pictures pictures;
+    for (const SiteDevice& device : file.devices)
+        pictures.emplace(device.id, device.pictures);
+    TELETA_TRY(site->m_streams, site_link::SiteStreams::open(participant, topics, boot, std::move(pictures)));
     std::vector<site_link::SiteArm> arms;
     for (const Device& device : site->m_devices) {
         device.channel->watch(pipeline::Watcher::liveView, site->m_streams, device.id);
@@ -243,8 +252,9 @@ std::vector<std::string> RunningSite::problems() const {
     std::vector<std::string> found;
     for (const Device& device : m_devices) {
         std::string reason = device.channel ? troubleOf(*device.channel) : core::describe(device.error);
+        // An arm that cannot be moved at all is as it should be.
         if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get());
-            joints != nullptr && reason.empty())
+            joints != nullptr && reason.empty() && isMovable(joints->description()))
             reason = joints->device().hindrance();
         if (!reason.empty())
             found.push_back(device.id + ": " + reason);

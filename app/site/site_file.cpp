@@ -42,31 +42,66 @@ std::string readId(TomlTable& table, const std::string& file) {
     return name;
 }
 
+/// A file of its own: that of an arm, of an array, or of a camera over ROS 2.
+app::SourceRequest readFile(TomlTable& table, const std::string& path) {
+    if (!app::isSourceList(path))
+        return app::ArmRequest{path};
+    auto list = app::readSourceList(path);
+    if (!list)
+        table.fail("file", core::describe(list.error()), {});
+    else if (list->size() == 1 && !std::holds_alternative<app::GelRequest>(list->front()))
+        return std::move(list->front());
+    else
+        table.fail("file", SiteFileText::tr("a site does not send this kind of device").toStdString(),
+                   SiteFileText::tr("the file of an arm, an array or a camera over ROS 2").toStdString());
+    return app::ArmRequest{path};
+}
+
+/// How much of a link a camera may take.
+site_link::PictureSettings readPictures(TomlTable& table) {
+    using Settings = site_link::PictureSettings;
+    Settings pictures;
+    pictures.quality =
+        static_cast<int>(table.integer("quality", Settings::kLowestQuality, 100, pictures.quality));
+    pictures.most_kbitPerS = table.number(
+        "max_kbit_s", core::NumberRange::between(Settings::kLowest_kbitPerS, Settings::kHighest_kbitPerS),
+        pictures.most_kbitPerS);
+    return pictures;
+}
+
 void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
-    SiteDevice device;
+    std::vector<app::SourceRequest> requests;
+    std::string id;
     if (table.has("file")) {
         const std::string file = table.text("file");
-        device.id = readId(table, file);
-        device.request = app::ArmRequest{core::besideFile(path, file)};
-        table.finish();
+        id = readId(table, file);
+        requests.push_back(readFile(table, core::besideFile(path, file)));
+    } else {
+        id = readId(table, {});
+        for (const char* key : {"gel", "recording"}) {
+            if (table.has(key))
+                table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
+                           SiteFileText::tr("file, wts, taxels, scene or scene_camera").toStdString());
+        }
+        core::TomlKeys keys(table);
+        if (const char* key = table.has("camera") ? "camera" : "scene_camera"; table.has(key)) {
+            app::SceneCameraRequest camera;
+            app::describeSceneCamera(keys, key, path, camera);
+            requests.emplace_back(std::move(camera));
+        } else {
+            const app::SourceKind kind = table.has("wts")      ? app::SourceKind::wts
+                                         : table.has("taxels") ? app::SourceKind::taxels
+                                                               : app::SourceKind::scene;
+            app::describeSource(keys, kind, path, requests);
+        }
+    }
+    for (app::SourceRequest& request : requests) {
+        SiteDevice device{id, std::move(request)};
+        if (std::holds_alternative<app::SceneCameraRequest>(device.request))
+            device.pictures = readPictures(table);
         site.devices.push_back(std::move(device));
-        return;
     }
-    device.id = readId(table, {});
-    for (const char* key : {"camera", "gel", "recording", "scene_camera"}) {
-        if (table.has(key))
-            table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
-                       SiteFileText::tr("file, wts, taxels or scene").toStdString());
-    }
-    std::vector<app::SourceRequest> requests;
-    core::TomlKeys keys(table);
-    const app::SourceKind kind = table.has("wts")      ? app::SourceKind::wts
-                                 : table.has("taxels") ? app::SourceKind::taxels
-                                                       : app::SourceKind::scene;
-    app::describeSource(keys, kind, path, requests);
-    keys.finish();
-    for (app::SourceRequest& request : requests)
-        site.devices.push_back({device.id, std::move(request)});
+    table.finish();
 }
 
 core::Expected<SiteFile> read(const core::TomlDocument& document, const std::string& path) {

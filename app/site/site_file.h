@@ -4,6 +4,7 @@
 #include "app/sources/source_request.h"
 #include "backend/core/error.h"
 #include "backend/site/control_arbiter.h"
+#include "devices/site/image/picture_budget.h"
 #include "devices/site/operator_domain.h"
 
 #include <set>
@@ -17,6 +18,7 @@ namespace teleta::site_program {
 struct SiteDevice {
     std::string id; ///< as consoles see it: site_link::isSiteName()
     app::SourceRequest request;
+    site_link::PictureSettings pictures = {}; ///< of a camera
 };
 
 /// What is at the robot's place (kind = "site"), as a TOML file describes it.

@@ -5,10 +5,13 @@
 #include "backend/core/failure.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/joint_channel.h"
+#include "backend/pipeline/recorded/recorded_scene_camera.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/pipeline/scene_camera_channel.h"
 #include "backend/pipeline/touch_channel.h"
-#include "devices/site/remote_arm.h"
-#include "devices/site/remote_array.h"
+#include "devices/site/remote/remote_arm.h"
+#include "devices/site/remote/remote_array.h"
+#include "devices/site/remote/remote_camera.h"
 #include "devices/site/remote_site_file.h"
 #include "devices/site/site_streams.h"
 
@@ -44,6 +47,14 @@ openSkin(const std::shared_ptr<site_link::SiteClient>& site, const std::string& 
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
 }
 
+core::Expected<std::shared_ptr<pipeline::Channel>>
+openCamera(const std::shared_ptr<site_link::SiteClient>& site, const std::string& device,
+           const StreamInfo& stream) {
+    TELETA_TRY(auto description, pipeline::sceneCameraOf(stream, site->file().name));
+    TELETA_TRY(auto source, site_link::RemoteCamera::open(site, device, std::move(description)));
+    return std::make_shared<pipeline::SceneCameraChannel>(std::move(source));
+}
+
 } // namespace
 
 core::Expected<SiteDevices> siteDevicesOf(const std::string& path, const core::StopSwitch& stop,
@@ -74,6 +85,8 @@ openRemote(const std::shared_ptr<site_link::SiteClient>& site, const SiteRequest
     const std::string& device = request.device;
     const StreamInfo* joints = findStream(*site, device, StreamKind::joints);
     const StreamInfo* frames = findStream(*site, device, StreamKind::array);
+    if (const StreamInfo* pictures = findStream(*site, device, StreamKind::camera))
+        return openCamera(site, device, *pictures);
     std::shared_ptr<pipeline::TouchChannel> skin;
     if (frames != nullptr) {
         TELETA_TRY(skin, openSkin(site, device, *frames));

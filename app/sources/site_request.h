@@ -13,7 +13,7 @@
 
 namespace teleta::app {
 
-/// A device of a site: an array, or an arm with its skin.
+/// A device of a site: an array, an arm with its skin, or a camera.
 struct SiteRequest {
     std::string path;   ///< of the file with which the site was reached
     std::string name;   ///< of the site

@@ -131,8 +131,10 @@ void describeCamera(Keys& keys, const std::string& listPath, CameraRequest& requ
 }
 
 void describeArm(Keys& keys, const std::string& listPath, ArmRequest& request) {
-    describePath(keys, "arm", listPath, request.path,
-                 "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`)");
+    describePath(
+        keys, "arm", listPath, request.path,
+        "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`), or a Modbus device that tells "
+        "the joints of one (`kind = \"modbus\"`)");
 }
 
 void describeTaxels(Keys& keys, const std::string& listPath, TaxelsRequest& request) {
@@ -144,21 +146,6 @@ void describeTaxels(Keys& keys, const std::string& listPath, TaxelsRequest& requ
 void describeGel(Keys& keys, const std::string& listPath, GelRequest& request) {
     describePath(keys, "gel", listPath, request.path,
                  "File that describes a flat gel with markers (`kind = \"marker_gel\"`)");
-    keys.flag("loop", request.loop, "A video starts again at its end");
-}
-
-void describeSceneCamera(Keys& keys, const std::string& listPath, SceneCameraRequest& request) {
-    keys.text("scene_camera", request.source,
-              "Camera that is only looked at: its number, a video, a pattern of numbered pictures, or a file "
-              "that describes one over ROS 2 (`kind = \"ros_camera\"`)");
-    if (!camera::isCameraNumber(request.source))
-        request.source = besideList(listPath, request.source);
-    keys.whole("width_px", request.width_px, {0, 16384}, "Width asked of a camera; 0: its own",
-               Need::optional);
-    keys.whole("height_px", request.height_px, {0, 16384}, "Height asked of a camera; 0: its own",
-               Need::optional);
-    keys.number("rate_Hz", request.rate_Hz, NumberRange::between(0.0, 1000.0),
-                "Pictures a second asked of a camera; 0: its own", Need::optional);
     keys.flag("loop", request.loop, "A video starts again at its end");
 }
 
@@ -191,6 +178,22 @@ SourceKind kindOf(core::TomlTable& table) {
 
 } // namespace
 
+void describeSceneCamera(core::Keys& keys, std::string_view key, const std::string& listPath,
+                         SceneCameraRequest& request) {
+    keys.text(key, request.source,
+              "Camera that is only looked at: its number, a video, a pattern of numbered pictures, or a file "
+              "that describes one over ROS 2 (`kind = \"ros_camera\"`)");
+    if (!camera::isCameraNumber(request.source))
+        request.source = besideList(listPath, request.source);
+    keys.whole("width_px", request.width_px, {0, 16384}, "Width asked of a camera; 0: its own",
+               Need::optional);
+    keys.whole("height_px", request.height_px, {0, 16384}, "Height asked of a camera; 0: its own",
+               Need::optional);
+    keys.number("rate_Hz", request.rate_Hz, NumberRange::between(0.0, 1000.0),
+                "Pictures a second asked of a camera; 0: its own", Need::optional);
+    keys.flag("loop", request.loop, "A video starts again at its end");
+}
+
 void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPath,
                     std::vector<SourceRequest>& requests) {
     switch (kind) {
@@ -210,8 +213,12 @@ void describeSource(core::Keys& keys, SourceKind kind, const std::string& listPa
         return add(keys, listPath, requests, describeTaxels);
     case SourceKind::gel:
         return add(keys, listPath, requests, describeGel);
-    case SourceKind::sceneCamera:
-        return add(keys, listPath, requests, describeSceneCamera);
+    case SourceKind::sceneCamera: {
+        SceneCameraRequest request;
+        describeSceneCamera(keys, "scene_camera", listPath, request);
+        requests.emplace_back(std::move(request));
+        return;
+    }
     }
 }
 
@@ -248,7 +255,11 @@ bool isSourceList(const std::string& path) {
 }
 
 bool isArmFile(const std::string& path) {
-    return hasKind(path, "ros_arm");
+    return hasKind(path, "ros_arm") || isModbusFile(path);
+}
+
+bool isModbusFile(const std::string& path) {
+    return hasKind(path, "modbus");
 }
 
 bool isSiteFile(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include "app/common/scene_file.h"
 #include "app/sources/array_file.h"
+#include "app/sources/source_list.h"
 #include "backend/core/beside_file.h"
 #include "backend/core/data/array_guess.h"
 #include "backend/core/data/frame_file.h"
@@ -26,6 +27,8 @@
 #include "backend/vision/gel/marker_gel_file.h"
 #include "devices/camera/camera_device.h"
 #include "devices/link/link_address.h"
+#include "devices/modbus/modbus_joints.h"
+#include "devices/modbus/register_map.h"
 #include "devices/replay/playback_config.h"
 #include "devices/replay/recorded_device.h"
 #include "devices/ros/array/ros_array.h"
@@ -95,7 +98,8 @@ core::Expected<Opened> openCsv(const CsvRequest& request) {
         std::make_unique<replay::RecordedArray>(std::move(player)), std::move(settings));
 }
 
-core::Expected<Opened> openArm(const scene::Scene& scene, std::uint64_t seed, const core::StopSwitch& stop) {
+core::Expected<Opened> openArmScene(const scene::Scene& scene, std::uint64_t seed,
+                                    const core::StopSwitch& stop) {
     TELETA_TRY(auto generator, simulation::makeArm(scene, seed));
     auto arm = std::make_unique<simulated::SimulatedArmDevice>(std::move(generator), stop);
     auto skin = std::make_shared<pipeline::TouchChannel>(arm->makeSkin(), scene_run::channelSettings(scene));
@@ -198,9 +202,18 @@ core::Expected<Opened> openSceneCamera(const SceneCameraRequest& request) {
     return std::make_shared<pipeline::SceneCameraChannel>(std::move(feed));
 }
 
+/// Joints that can be looked at, not moved.
+core::Expected<Opened> openModbusJoints(const std::string& path) {
+    TELETA_TRY(const auto map, modbus::readRegisterMap(path));
+    TELETA_TRY(auto joints, modbus::makeModbusJoints(map, core::ArmDescription()));
+    return std::make_shared<pipeline::JointChannel>(std::move(joints));
+}
+
 /// An arm without a skin: what it touches is not known.
-core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwitch& stop,
-                                  const std::function<bool()>& cancelled) {
+core::Expected<Opened> openArm(const ArmRequest& request, const core::StopSwitch& stop,
+                               const std::function<bool()>& cancelled) {
+    if (isModbusFile(request.path))
+        return openModbusJoints(request.path);
     TELETA_TRY(const auto file, ros_arm::readRosArm(request.path));
     TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, cancelled, request.required));
     auto chain = arm->sharedChain();
@@ -210,7 +223,7 @@ core::Expected<Opened> openRosArm(const ArmRequest& request, const core::StopSwi
 core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSwitch& stop) {
     TELETA_TRY(auto scene, readScene(request.path));
     if (scene.isArm())
-        return openArm(scene, request.seed, stop);
+        return openArmScene(scene, request.seed, stop);
     if (scene.isServo())
         return openServo(scene, request.seed, stop);
     if (scene.isCamera())
@@ -322,7 +335,7 @@ pipeline::SourceFactory makeSourceFactory(SourceRequest request, const core::Sto
         if (const auto* recording = std::get_if<RecordingRequest>(&request))
             return openRecording(*recording, stop);
         if (const auto* arm = std::get_if<ArmRequest>(&request))
-            return openRosArm(*arm, stop, cancelled);
+            return openArm(*arm, stop, cancelled);
         if (const auto* remote = std::get_if<SiteRequest>(&request))
             return openRemote(site, *remote);
         if (const auto* described = std::get_if<TaxelsRequest>(&request))

@@ -80,9 +80,9 @@ struct TaxelsRequest {
     std::string path; ///< the file, see readArrayFile()
 };
 
-/// An arm over ROS 2.
+/// An arm over ROS 2, or one whose joints a Modbus device tells.
 struct ArmRequest {
-    std::string path; ///< the file that describes it, see ros_arm::readRosArm()
+    std::string path; ///< the file that describes it, see ros_arm::readRosArm(), modbus::readRegisterMap()
     /// The devices that the file may require; null: nobody knows them, and such a file is refused.
     std::shared_ptr<const core::RequiredDevices> required = {};
 };

@@ -7,8 +7,10 @@
 #include <opencv2/video/tracking.hpp>
 #include <opencv2/videoio.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace teleta::opencv {
 
@@ -18,6 +20,9 @@ struct Pictures {
     bool (*write)(const std::string& path, const cv::Mat& picture);
     /// cv::imdecode; flags: cv::ImreadModes
     cv::Mat (*decode)(const cv::Mat& bytes, int flags);
+    /// cv::imencode; extension: with its dot; parameters: pairs of cv::ImwriteFlags and a value
+    bool (*encode)(const std::string& extension, const cv::Mat& picture, std::vector<std::uint8_t>& bytes,
+                   const std::vector<int>& parameters);
 };
 
 /// Loads them at the first call. Error: unavailable. Thread: any.

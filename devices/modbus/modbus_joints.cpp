@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 
 namespace teleta::modbus {
@@ -22,8 +24,11 @@ core::ArmDescription describeArm(const RegisterMap& map, core::ArmDescription ar
     arm.simulated = false;
     arm.recorded = false;
     // Nobody has told the ranges of an arm that is described by its joints alone.
-    if (arm.joints() != map.joints.size())
+    if (arm.joints() != map.joints.size()) {
         arm.lowest_rad = arm.highest_rad = core::JointVector::zeros(map.joints.size());
+        std::ranges::fill(arm.lowest_rad, -std::numeric_limits<double>::infinity());
+        std::ranges::fill(arm.highest_rad, std::numeric_limits<double>::infinity());
+    }
     arm.fastest_radPerS = core::JointVector::zeros(map.joints.size());
     arm.hasProgram = false;
     return arm;
@@ -51,6 +56,11 @@ ModbusJoints::ModbusJoints(const RegisterMap& map, LinkOpener opener, const core
     , m_joints(m_config.queueSamples, 1)
     , m_wait(m_config.clock)
     , m_values(2 * map.joints.size()) {
+}
+
+std::string ModbusJoints::hindrance() const {
+    return QCoreApplication::translate("Modbus", "this arm only tells its joints, it cannot be moved")
+        .toStdString();
 }
 
 void ModbusJoints::open(core::Wakeup& consumer) {

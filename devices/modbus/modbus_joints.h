@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace teleta::modbus {
@@ -42,6 +43,7 @@ public:
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_joints.samples(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_joints.status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
+    [[nodiscard]] std::string hindrance() const override;
 
 private:
     friend core::DeviceThread<ModbusJoints>;

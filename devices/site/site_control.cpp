@@ -158,11 +158,11 @@ void SiteControl::tellInfo(const std::vector<recording::StreamInfo>& streams) {
     std::vector<ros::SiteStreamInfo> infos;
     for (const recording::StreamInfo& stream : streams) {
         const std::string device = deviceOf(stream);
-        const bool isArm = stream.kind == recording::StreamKind::joints;
+        const StreamTopic topic = topicOf(stream, m_topics);
         ros::SiteStreamInfo info{};
         info.name = texts(device);
-        info.kind = texts(isArm ? "joints" : "tactile");
-        info.topic = texts(isArm ? m_topics.joints(device) : m_topics.tactile(device));
+        info.kind = texts(topic.kind);
+        info.topic = texts(topic.name);
         info.unit = texts(stream.unit);
         info.frame_id = texts("");
         info.rate_hz = stream.nominalRate_Hz;

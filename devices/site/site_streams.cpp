@@ -25,6 +25,7 @@ constexpr std::size_t kTimes_bytes = 16; ///< of one sample or frame
 
 constexpr std::string_view kJointsEnd = "-joints";
 constexpr std::string_view kFramesEnd = "-frames";
+constexpr std::string_view kPicturesEnd = "-scene";
 
 std::size_t fitting(std::size_t bytesEach) {
     return std::max<std::size_t>(1, (SiteStreams::kMessage_bytes - kOverhead_bytes) / bytesEach);
@@ -52,6 +53,7 @@ Message messageOf(const site::BootName& boot, core::TappedFrames& block, std::si
 std::string deviceOf(const recording::StreamInfo& stream) {
     const std::string_view end = stream.kind == recording::StreamKind::joints  ? kJointsEnd
                                  : stream.kind == recording::StreamKind::array ? kFramesEnd
+                                 : recording::isColour(stream)                 ? kPicturesEnd
                                                                                : std::string_view();
     std::string_view name = stream.name;
     if (end.empty() || !name.ends_with(end))
@@ -60,20 +62,34 @@ std::string deviceOf(const recording::StreamInfo& stream) {
     return isSiteName(name) ? std::string(name) : std::string();
 }
 
+StreamTopic topicOf(const recording::StreamInfo& stream, const SiteTopics& topics) {
+    const std::string device = deviceOf(stream);
+    switch (stream.kind) {
+    case recording::StreamKind::joints:
+        return {"joints", topics.joints(device), &ros::descriptorOf<ros::JointBlock>(), kStreamed};
+    case recording::StreamKind::camera:
+        return {"image", topics.image(device), &ros::descriptorOf<ros::ImageFrame>(), kNewest};
+    default:
+        return {"tactile", topics.tactile(device), &ros::descriptorOf<ros::TactileBlock>(), kStreamed};
+    }
+}
+
 core::Expected<std::shared_ptr<SiteStreams>>
 SiteStreams::open(std::shared_ptr<const dds::Participant> participant, const SiteTopics& topics,
-                  const site::BootName& boot) {
+                  const site::BootName& boot, Pictures pictures) {
     TELETA_TRY(auto descriptions, dds::Writer<ros::String>::open(participant, topics.streams(), kLatched));
     return std::shared_ptr<SiteStreams>(
-        new SiteStreams(std::move(participant), topics, boot, std::move(descriptions)));
+        new SiteStreams(std::move(participant), topics, boot, std::move(pictures), std::move(descriptions)));
 }
 
 SiteStreams::SiteStreams(std::shared_ptr<const dds::Participant> participant, const SiteTopics& topics,
-                         const site::BootName& boot, dds::Writer<ros::String> descriptions)
+                         const site::BootName& boot, Pictures pictures, dds::Writer<ros::String> descriptions)
     : m_participant(std::move(participant))
     , m_topics(topics)
     , m_boot(boot)
+    , m_pictures(std::move(pictures))
     , m_descriptions(std::move(descriptions))
+    , m_pictureSender(boot)
     , m_thread([this] { run(); }) {
 }
 
@@ -91,19 +107,23 @@ std::shared_ptr<core::StreamTap> SiteStreams::addStream(recording::StreamInfo in
         tap->close();
         return tap;
     }
-    auto writer = info.kind == recording::StreamKind::joints
-                      ? dds::AnyWriter::open(m_participant, m_topics.joints(device),
-                                             ros::descriptorOf<ros::JointBlock>(), kStreamed)
-                      : dds::AnyWriter::open(m_participant, m_topics.tactile(device),
-                                             ros::descriptorOf<ros::TactileBlock>(), kStreamed);
+    const StreamTopic topic = topicOf(info, m_topics);
+    auto writer = dds::AnyWriter::open(m_participant, topic.name, *topic.type, topic.profile);
     const std::scoped_lock lock(m_mutex);
     if (!writer) {
         m_failure = writer.error();
         tap->close();
         return tap;
     }
-    m_streams.push_back(std::make_unique<Stream>(Stream{std::move(info), tap, std::move(*writer)}));
-    std::string text = describeStreams(infos());
+    m_infos.push_back(info);
+    if (info.kind == recording::StreamKind::camera) {
+        const auto settings = m_pictures.find(device);
+        tap = m_pictureSender.add(std::move(*writer),
+                                  settings == m_pictures.end() ? PictureSettings() : settings->second);
+    } else {
+        m_streams.push_back(std::make_unique<Stream>(Stream{std::move(info), tap, std::move(*writer)}));
+    }
+    std::string text = describeStreams(m_infos);
     ros::String message{};
     message.data = text.data();
     (void)m_descriptions.write(message);
@@ -114,14 +134,7 @@ core::Expected<std::vector<recording::StreamInfo>> SiteStreams::streams() const 
     const std::scoped_lock lock(m_mutex);
     if (m_failure)
         return core::Unexpected(*m_failure);
-    return infos();
-}
-
-std::vector<recording::StreamInfo> SiteStreams::infos() const {
-    std::vector<recording::StreamInfo> all;
-    for (const auto& stream : m_streams)
-        all.push_back(stream->info);
-    return all;
+    return m_infos;
 }
 
 void SiteStreams::run() {

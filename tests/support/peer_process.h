@@ -58,6 +58,18 @@ public:
         }
     }
 
+    /// A line that contains this text, of those that are there; others are kept in lines(). It does not wait.
+    [[nodiscard]] std::optional<std::string> poll(const std::string& text) {
+        (void)m_process.waitForReadyRead(0);
+        while (m_process.canReadLine()) {
+            const std::string line = m_process.readLine().trimmed().toStdString();
+            m_lines.push_back(line);
+            if (line.find(text) != std::string::npos)
+                return line;
+        }
+        return std::nullopt;
+    }
+
     /// Sends a line and waits until the program answers "done".
     [[nodiscard]] bool command(const std::string& line) {
         say(line);

@@ -200,8 +200,10 @@ QString FeedbackPanel::stagesOf(const TouchReceipt& receipt) const {
     const std::optional<double> bound_s = receipt.clockBound_s();
     QStringList lines{tr("Read: %1")
                           .arg(bound_s ? tr("by the clock of the site, known to ± %1").arg(timeText(*bound_s))
-                                       : tr("by the clock of this computer")),
-                      tr("Evaluated: %1 later").arg(timeText(receipt.evaluated_s()))};
+                                       : tr("by the clock of this computer"))};
+    if (const std::optional<double> arrived_s = receipt.arrived_s())
+        lines << tr("Arrived at the console: %1 later").arg(timeText(*arrived_s));
+    lines << tr("Evaluated: %1 later").arg(timeText(receipt.evaluated_s()));
     if (receipt.begin_s)
         lines << tr("First frame to the bracelet: %1 later").arg(timeText(*receipt.begin_s));
     if (receipt.onset_s)
@@ -240,7 +242,8 @@ void FeedbackPanel::showLatency() {
 void FeedbackPanel::retranslate() {
     showLatency();
     m_save->setText(tr("Save times…"));
-    m_save->setToolTip(tr("Save when each touch was read, evaluated, sent and felt, as a table (CSV)"));
+    m_save->setToolTip(tr("Save when each touch was read, arrived from a site, was evaluated, sent and felt, "
+                          "as a table (CSV)"));
     m_modeLabel->setText(tr("What to &play:"));
     const QSignalBlocker quiet(m_mode);
     m_mode->setItemText(0, tr("Stiffness and shape"));

@@ -33,7 +33,7 @@ std::string_view outcomeOf(const TouchReceipt& receipt) {
 core::Expected<void> writeReceipts(const std::string& path, std::span<const TouchReceipt> receipts) {
     TELETA_TRY(auto file, core::CsvWriter::create(
                               path, "touch,recognised,pattern,outcome,read_ns,site_read_ns,clock_bound_s,"
-                                    "evaluated_s,first_frame_s,felt_s"));
+                                    "arrived_s,evaluated_s,first_frame_s,felt_s"));
     for (const TouchReceipt& receipt : receipts) {
         std::optional<long long> siteRead_ns;
         if (receipt.clock)
@@ -41,7 +41,7 @@ core::Expected<void> writeReceipts(const std::string& path, std::span<const Touc
         file.row(static_cast<long long>(receipt.sent.touch), recognisedIn(receipt.sent),
                  std::string_view(receipt.sent.patternId), outcomeOf(receipt),
                  static_cast<long long>(receipt.sent.felt_ns), siteRead_ns, receipt.clockBound_s(),
-                 receipt.evaluated_s(), receipt.begin_s, receipt.onset_s);
+                 receipt.arrived_s(), receipt.evaluated_s(), receipt.begin_s, receipt.onset_s);
     }
     return file.finish();
 }

@@ -25,6 +25,12 @@ struct TouchReceipt {
     [[nodiscard]] std::optional<double> clockBound_s() const {
         return clock ? std::optional(static_cast<double>(clock->bound_ns) * 1e-9) : std::nullopt;
     }
+    /// From the read to the arrival here; empty: it was read by this computer.
+    [[nodiscard]] std::optional<double> arrived_s() const {
+        return sent.arrived_ns != 0
+                   ? std::optional(static_cast<double>(sent.arrived_ns - sent.felt_ns) * 1e-9)
+                   : std::nullopt;
+    }
     /// From the read to its evaluation.
     [[nodiscard]] double evaluated_s() const {
         return static_cast<double>(sent.sent_ns - sent.felt_ns) * 1e-9;
@@ -32,8 +38,8 @@ struct TouchReceipt {
 };
 
 /// Writes receipts as CSV, one row each: touch, recognised, pattern, outcome (played, sent, missing, refused,
-/// no_pattern), read_ns (steady clock here), site_read_ns (that of the site), clock_bound_s, evaluated_s,
-/// first_frame_s, felt_s; NA where unknown. Error: ioFailed. Thread: any.
+/// no_pattern), read_ns (steady clock here), site_read_ns (that of the site), clock_bound_s, arrived_s
+/// (from a site), evaluated_s, first_frame_s, felt_s; NA where unknown. Error: ioFailed. Thread: any.
 [[nodiscard]] core::Expected<void> writeReceipts(const std::string& path,
                                                  std::span<const TouchReceipt> receipts);
 

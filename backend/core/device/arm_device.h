@@ -24,6 +24,8 @@ struct JointSample {
     JointVector torque_Nm;      ///< of the joint torque sensors, weight of the links taken off
     JointVector reference_rad;  ///< where the controller was told to go
     bool discontinuity = false; ///< the stream jumped before this sample
+    /// Steady clock when it came from another computer, which read it; 0: it was read by this one.
+    std::int64_t arrived_ns = 0;
 };
 
 /// How the sheet of the tactile skin lies around the forearm, a cylinder about its x axis. A taxel at (x, y)

@@ -19,6 +19,11 @@ namespace teleta::pipeline {
 [[nodiscard]] recording::StreamInfo sceneCameraStream(const std::string& name,
                                                       const core::CameraDescription& description);
 
+/// The inverse. file: named in errors. Error: badInput, the stream is of something else, or does not say
+/// what it is of.
+[[nodiscard]] core::Expected<core::CameraDescription> sceneCameraOf(const recording::StreamInfo& stream,
+                                                                    const std::string& file);
+
 /// A scene camera of a recording.
 struct RecordedSceneCamera : RecordedPictures {};
 

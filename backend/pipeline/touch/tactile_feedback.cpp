@@ -107,6 +107,7 @@ FeedbackSent TactileFeedback::messageOf(const TouchRecord& record, const Entry& 
     sent.missing = !entry.id.empty() && !entry.program.evaluate;
     sent.refused = !entry.id.empty() && !sent.missing && !taken;
     sent.felt_ns = record.ready_ns;
+    sent.arrived_ns = record.arrived_ns;
     return sent;
 }
 

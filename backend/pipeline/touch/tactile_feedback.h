@@ -31,6 +31,8 @@ struct FeedbackSent {
     bool missing = false;          ///< the map has this id, but there is no such pattern: nothing was sent
     bool refused = false;     ///< there is no bracelet, or it is used for something else: nothing was sent
     std::int64_t felt_ns = 0; ///< steady time of the sample that completed the touch
+    /// When it came from another computer, which read it; 0: it was read by this one.
+    std::int64_t arrived_ns = 0;
     std::int64_t sent_ns = 0; ///< steady time at which it was evaluated and the pattern handed over
 };
 

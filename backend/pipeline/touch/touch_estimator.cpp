@@ -373,6 +373,7 @@ TouchRecord TouchEstimator::makeRecord() {
     record.start_ns = m_touch.first.time_ns;
     record.start_s = m_touch.first.sourceTime_s;
     record.ready_ns = m_newest->time_ns;
+    record.arrived_ns = m_newest->arrived_ns;
     record.ready_s = m_newest->sourceTime_s;
     record.joint = m_touch.joint;
     record.joints = m_arm.joints();

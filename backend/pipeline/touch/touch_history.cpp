@@ -25,9 +25,11 @@ TouchHistory::Kind TouchHistory::add(TouchRecord& touch) {
     }
     const std::int64_t start_ns = touch.start_ns;
     const std::int64_t ready_ns = touch.ready_ns;
+    const std::int64_t arrived_ns = touch.arrived_ns;
     touch = known->record;
     touch.start_ns = start_ns;
     touch.ready_ns = ready_ns;
+    touch.arrived_ns = arrived_ns;
     return Kind::again;
 }
 

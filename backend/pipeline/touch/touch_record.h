@@ -35,7 +35,9 @@ struct TouchRecord {
     std::uint64_t number = 0;  ///< from 1
     std::int64_t start_ns = 0; ///< first sample above the noise floor
     std::int64_t ready_ns = 0; ///< when this record was made, by the sample that completed it
-    double start_s = 0.0;      ///< the same two in the arm's own time
+    /// When that sample came from another computer, which read it; 0: it was read by this one.
+    std::int64_t arrived_ns = 0;
+    double start_s = 0.0; ///< start_ns and ready_ns in the arm's own time
     double ready_s = 0.0;
     std::size_t joint = 0;  ///< whose torque and angle were evaluated
     std::size_t joints = 0; ///< of the arm

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/site/site_file.h"
 
+#include <QTemporaryDir>
+
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <variant>
 
 namespace teleta::site_program {
@@ -81,11 +84,66 @@ TEST(SiteFile, devicesHaveNamesOfTheirOwn) {
               std::string::npos);
     EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nfile = \"Left Arm.toml\"\n").find("needs an id"),
               std::string::npos);
-    for (const char* kind : {"camera", "scene_camera"})
+    for (const char* kind : {"gel", "recording"})
         EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\n" + kind + " = \"0\"\n")
                       .find("does not send this kind"),
                   std::string::npos)
             << kind;
+}
+
+TEST(SiteFile, aCameraIsLookedAt) {
+    const auto file = parseSite(std::string(kHead) + R"([[device]]
+id = "overview"
+camera = "0"
+quality = 60
+max_kbit_s = 1500
+[[device]]
+id = "side"
+scene_camera = "side.mp4"
+width_px = 640
+[[device]]
+id = "pad"
+wts = "/dev/ttyUSB0"
+)",
+                                "/files/site.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    ASSERT_EQ(file->devices.size(), 3U);
+    EXPECT_EQ(std::get<app::SceneCameraRequest>(file->devices[0].request).source, "0");
+    EXPECT_EQ(file->devices[0].pictures.quality, 60);
+    EXPECT_EQ(file->devices[0].pictures.most_kbitPerS, 1500.0);
+    EXPECT_EQ(std::get<app::SceneCameraRequest>(file->devices[1].request).source, "/files/side.mp4");
+    EXPECT_EQ(std::get<app::SceneCameraRequest>(file->devices[1].request).width_px, 640);
+    EXPECT_EQ(file->devices[1].pictures.quality, 70);
+    EXPECT_EQ(file->devices[1].pictures.most_kbitPerS, 3000.0);
+    for (const char* wrong :
+         {"camera = \"0\"\nquality = 101\n", "camera = \"0\"\nmax_kbit_s = 1\n",
+          "wts = \"/dev/ttyUSB0\"\nquality = 60\n", "camera = \"0\"\nscene_camera = \"1\"\n"})
+        EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\n" + wrong).find("site.toml:"),
+                  std::string::npos)
+            << wrong;
+}
+
+TEST(SiteFile, aFileOfItsOwnSaysWhatItIs) {
+    QTemporaryDir folder;
+    const auto write = [&folder](const char* name, const std::string& text) {
+        std::ofstream(folder.filePath(QLatin1String(name)).toStdString()) << text;
+    };
+    write("front.toml", "kind = \"ros_camera\"\nname = \"front\"\ntopic = \"/front/image_raw\"\n");
+    write("list.toml", "[[source]]\nscene = \"a\"\n[[source]]\nscene = \"b\"\n");
+    const std::string path = folder.filePath("site.toml").toStdString();
+    const auto file = parseSite(
+        std::string(kHead) +
+            "[[device]]\nfile = \"front.toml\"\nmax_kbit_s = 500\n[[device]]\nfile = \"arm.toml\"\n",
+        path);
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->devices[0].id, "front");
+    EXPECT_EQ(std::get<app::SceneCameraRequest>(file->devices[0].request).source,
+              folder.filePath("front.toml").toStdString());
+    EXPECT_EQ(file->devices[0].pictures.most_kbitPerS, 500.0);
+    EXPECT_TRUE(std::holds_alternative<app::ArmRequest>(file->devices[1].request));
+    const auto list = parseSite(std::string(kHead) + "[[device]]\nfile = \"list.toml\"\n", path);
+    ASSERT_FALSE(list);
+    EXPECT_NE(core::describe(list.error()).find("does not send this kind"), std::string::npos);
 }
 
 } // namespace

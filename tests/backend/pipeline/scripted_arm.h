@@ -52,6 +52,7 @@ public:
         core::JointSample sample;
         sample.sourceTime_s = 1e-3 * static_cast<double>(m_sample);
         sample.time_ns = clockOffset_ns + m_sample * 1'000'000;
+        sample.arrived_ns = sample.time_ns + 3'000'000;
         const Eigen::Vector4d perNewton_m = torquePerNewton_m();
         const double lever_m = m_contactDistance_m * std::abs(std::cos(m_side_rad));
         const double elbowStiffness = paperArm().elbowStiffness_NmPerRad;

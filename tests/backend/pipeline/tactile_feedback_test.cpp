@@ -22,6 +22,7 @@ TouchRecord touchOf(std::uint64_t number, std::optional<Material> material) {
     TouchRecord record;
     record.number = number;
     record.ready_ns = 1000 * static_cast<std::int64_t>(number);
+    record.arrived_ns = record.ready_ns + 20;
     if (material) {
         record.stiffness.emplace();
         record.stiffness->material = *material;
@@ -77,6 +78,7 @@ TEST_F(TactileFeedbackTest, aTouchPlaysThePatternOfItsLevel) {
     EXPECT_EQ(messages[0].material, Material::rubber);
     EXPECT_EQ(messages[0].touch, 1U);
     EXPECT_EQ(messages[0].felt_ns, 1000);
+    EXPECT_EQ(messages[0].arrived_ns, 1020);
 }
 
 TEST_F(TactileFeedbackTest, aTouchWithoutStiffnessPlaysNothing) {

@@ -120,6 +120,7 @@ TEST(TouchEstimator, recordsATouchTenMillisecondsAfterTheWindowOrWhenItIsFarBeyo
         const int ready = samples == 400 ? passed + 10 : 17;
         EXPECT_NEAR(touch.ready_s, 1e-3 * (100 + ready), 1e-9) << samples;
         EXPECT_EQ(touch.ready_ns, run.arm.clockOffset_ns + (100 + ready) * 1'000'000) << samples;
+        EXPECT_EQ(touch.arrived_ns, touch.ready_ns + 3'000'000) << samples;
         // The reference follows the first 12 samples of the rise: 2.5 mNm / 2 * 12 ms / 0.5 s.
         EXPECT_NEAR(touch.torque_Nm, 0.08 * ready / samples, 31e-6);
     }

@@ -30,9 +30,11 @@ TEST(TouchHistory, knowsATouchThatIsPlayedAgain) {
     EXPECT_EQ(one.number, 1U);
     EXPECT_EQ(two.number, 2U);
     TouchRecord again = heardAt(1.0, 2.0, 0.001, 77);
+    again.arrived_ns = 79;
     EXPECT_EQ(history.add(again), Kind::again);
     EXPECT_EQ(again.number, 1U);
     EXPECT_EQ(again.ready_ns, 77);
+    EXPECT_EQ(again.arrived_ns, 79);
     EXPECT_EQ(again.p_Base_Contact_m.x(), 0.0);
     FoundObjects objects;
     history.fill(objects);

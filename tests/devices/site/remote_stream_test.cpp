@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/site/remote_stream.h"
+#include "devices/site/remote/remote_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -7,13 +7,17 @@
 #include "tests/app/console/window_bench.h"
 #include "tests/peer/site/site_process.h"
 #include "widgets/base/theme.h"
+#include "widgets/camera/scene/scene_panel.h"
+#include "widgets/camera/scene/scene_tile.h"
 #include "widgets/site/site_bar.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -38,9 +42,9 @@ class ConsoleSiteTest : public QObject, protected test::WindowBench {
     touch::JogPanel* m_jog = nullptr;
     site_view::SiteBar* m_bar = nullptr;
 
-    void connectToSite(int domain) {
+    void connectToSite(int domain, const std::string& devices = {}) {
         m_site = std::make_unique<test::SiteProcess>(
-            domain, "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n");
+            domain, "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n" + devices);
         m_site->start();
         m_viewer = std::make_unique<test::TestConsole>(*m_site, "v", true);
         ConsoleOptions options;
@@ -138,6 +142,31 @@ private slots:
         m_window->close();
         QTRY_COMPARE_WITH_TIMEOUT(mode(), Mode::free, kPatience_ms);
         QVERIFY(m_viewer->view().stopHolders.empty());
+    }
+
+    void aCameraOfTheSiteIsInTheDockScene() {
+        QTemporaryDir folder;
+        for (int i = 0; i < 4; ++i) {
+            QImage picture(64, 48, QImage::Format_RGB888);
+            picture.fill(QColor(200, 40 + 50 * i, 30));
+            QVERIFY(picture.save(folder.filePath(QStringLiteral("%1.png").arg(i))));
+        }
+        connectToSite(138, "[[device]]\nid = \"overview\"\ncamera = \"" +
+                               folder.filePath(QStringLiteral("%01d.png")).toStdString() + "\"\n");
+        auto* panel = m_window->findChild<camera::ScenePanel*>();
+        QVERIFY(panel != nullptr);
+        const auto tile = [panel]() -> camera::SceneTile* { return panel->findChild<camera::SceneTile*>(); };
+        QTRY_VERIFY_WITH_TIMEOUT(tile() != nullptr && !tile()->picture().isEmpty(), kPatience_ms);
+        QCOMPARE(tile()->picture().image.width_px, 64);
+        // The arm stays the source that is shown.
+        QCOMPARE(m_window->operatePage().docks().kind(), OperateDocks::Kind::arm);
+        QTRY_VERIFY_WITH_TIMEOUT(tile()->picture().problem.isEmpty(), kPatience_ms);
+        m_site->kill();
+        QTRY_VERIFY_WITH_TIMEOUT(tile()->picture().problem.startsWith("No picture for"), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(tile()->picture().reason, QStringLiteral("lab does not answer"),
+                                  kPatience_ms);
+        m_site->start();
+        QTRY_VERIFY_WITH_TIMEOUT(tile()->picture().problem.isEmpty(), kPatience_ms);
     }
 
     void aSiteThatIsGoneIsSaid() {

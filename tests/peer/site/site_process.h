@@ -5,10 +5,12 @@
 #include "backend/core/threads/stop_switch.h"
 #include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
-#include "devices/site/remote_arm.h"
+#include "backend/site_keys/site_keys.h"
+#include "devices/site/remote/remote_arm.h"
 #include "devices/site/site_client.h"
 #include "tests/support/peer_process.h"
 
+#include <QProcess>
 #include <QStringList>
 #include <QTemporaryDir>
 
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -32,8 +35,26 @@ public:
     /// devices: the [[device]] tables. domain: no other test's.
     SiteProcess(int domain, const std::string& devices)
         : m_domain(domain) {
+        setDevices(devices);
+    }
+
+    /// Makes keys for it and for these consoles. Before setDevices().
+    void secure(const std::vector<std::string>& consoles, const std::vector<std::string>& viewers) {
+        m_keys = m_folder.filePath("keys").toStdString();
+        const auto commands = site_keys::commandsFor(
+            {.folder = m_keys, .site = "lab", .consoles = consoles, .viewers = viewers}, std::time(nullptr));
+        ASSERT_TRUE(commands) << core::describe(commands.error());
+        QProcess shell;
+        shell.setProcessChannelMode(QProcess::MergedChannels);
+        shell.start("/bin/sh", {"-ec", QString::fromStdString(*commands)});
+        ASSERT_TRUE(shell.waitForFinished(60'000));
+        ASSERT_EQ(shell.exitCode(), 0) << shell.readAll().toStdString();
+    }
+
+    /// Before start().
+    void setDevices(const std::string& devices) {
         std::ofstream file(m_folder.filePath("site.toml").toStdString());
-        file << "kind = \"site\"\nname = \"lab\"\nsupervisors = [\"boss\"]\n" << meeting() << devices;
+        file << "kind = \"site\"\nname = \"lab\"\nsupervisors = [\"boss\"]\n" << meeting("site") << devices;
     }
 
     void start() {
@@ -50,18 +71,30 @@ public:
         const std::string path = m_folder.filePath(QString::fromStdString(console) + ".toml").toStdString();
         std::ofstream(path) << "kind = \"remote_site\"\nname = \"lab\"\nconsole = \"" << console
                             << "\"\nviewer = " << (viewer ? "true" : "false") << '\n'
-                            << meeting();
+                            << meeting(console);
         return path;
     }
     [[nodiscard]] QTemporaryDir& folder() { return m_folder; }
+    [[nodiscard]] qint64 processId() const { return m_id; }
+    /// Memory that it holds; 0: it does not run.
+    [[nodiscard]] double memory_MiB() const {
+        std::ifstream status("/proc/" + std::to_string(m_id) + "/status");
+        for (std::string line; std::getline(status, line);) {
+            if (line.starts_with("VmRSS:"))
+                return std::stod(line.substr(6)) / 1024.0;
+        }
+        return 0.0;
+    }
 
 private:
-    [[nodiscard]] std::string meeting() const {
-        return "[operator]\ndomain = " + std::to_string(m_domain) +
-               "\ninterface = \"lo\"\nsecurity = \"none\"\n";
+    [[nodiscard]] std::string meeting(const std::string& member) const {
+        return "[operator]\ndomain = " + std::to_string(m_domain) + "\ninterface = \"lo\"\nsecurity = " +
+               (m_keys.empty() ? std::string("\"none\"\n")
+                               : "\"certificates\"\ncertificates = \"" + m_keys + '/' + member + "\"\n");
     }
 
     int m_domain;
+    std::string m_keys; ///< folder of the keys; empty: it has none
     QTemporaryDir m_folder;
     PeerProcess m_process;
     qint64 m_id = 0;
@@ -72,9 +105,12 @@ private:
 class TestConsole {
 public:
     TestConsole(const SiteProcess& site, const std::string& name, bool viewer = false)
-        : m_name(name) {
-        auto file = site_link::readRemoteSite(site.fileOf(name, viewer));
+        : TestConsole(site.fileOf(name, viewer)) {}
+    /// path: of its file.
+    explicit TestConsole(const std::string& path) {
+        auto file = site_link::readRemoteSite(path);
         EXPECT_TRUE(file) << core::describe(file.error());
+        m_name = file->console;
         auto client = site_link::SiteClient::open(*file, "test", m_stop);
         EXPECT_TRUE(client) << core::describe(client.error());
         m_client = *client;
@@ -94,6 +130,7 @@ public:
     }
 
     [[nodiscard]] site_link::SiteClient& client() { return *m_client; }
+    [[nodiscard]] const std::shared_ptr<site_link::SiteClient>& sharedClient() const { return m_client; }
     [[nodiscard]] site_link::SiteView view() const { return m_client->view(); }
     [[nodiscard]] core::StopSwitch& stop() { return m_stop; }
     [[nodiscard]] std::string hindrance() const { return m_arm->hindrance(); }
@@ -148,6 +185,21 @@ public:
             return;
         m_hand.request_stop();
         m_hand.join();
+    }
+
+    [[nodiscard]] core::DeviceStatus armStatus() const { return m_arm->status(); }
+    /// All samples since the last call.
+    [[nodiscard]] std::vector<core::JointSample> takeSamples() {
+        std::vector<core::JointSample> samples;
+        for (core::JointSample sample; m_arm->joints().pop(sample);)
+            samples.push_back(sample);
+        if (!samples.empty())
+            m_newest = samples.back();
+        return samples;
+    }
+    /// That of the second joint in the newest sample; 0 before the first one.
+    [[nodiscard]] double newestAngle() const {
+        return m_newest.angle_rad.size() > 1 ? m_newest.angle_rad[1] : 0.0;
     }
 
     /// The newest angle of the second joint. It waits for one that was read at the site after this call.

@@ -307,6 +307,42 @@ TEST(Site, theProgramThatACertificateTestsSaysWhyItDoesNotMove) {
     EXPECT_EQ(chain.exitCode(), 0);
 }
 
+TEST(Site, jointsOfAModbusDeviceAreSeenAndNotMoved) {
+    test::PeerProcess server;
+    server.start(QStringLiteral("/usr/bin/python3"),
+                 {QStringLiteral(TELETA_SOURCE_DIR "/tests/peer/modbus_server.py"), "tcp", "0"});
+    const auto ready = server.waitFor("ready");
+    ASSERT_TRUE(ready) << server.errors();
+    ASSERT_TRUE(server.command("set 100 500 1 250 2"));
+    SiteProcess site(142, "[[device]]\nfile = \"bench.toml\"\n");
+    std::ofstream file(site.folder().filePath("bench.toml").toStdString());
+    file << "kind = 'modbus'\nname = 'bench'\ninput_rate_Hz = 50\n[link]\nkind = 'tcp'\n"
+            "host = '127.0.0.1'\nport = "
+         << ready->substr(ready->find_last_of(' ') + 1) << '\n';
+    for (int i = 0; i < 4; ++i)
+        file << "[[input]]\nname = 'i" << i << "'\naddress = " << 100 + i
+             << "\ntype = 'int16'\nscale = 0.001\nunit = '" << (i % 2 == 0 ? "rad" : "N m") << "'\n";
+    file << "[[joint]]\nangle = 'i0'\ntorque = 'i1'\n[[joint]]\nangle = 'i2'\ntorque = 'i3'\n" << std::flush;
+    QProcess check;
+    check.start(QStringLiteral(TELETA_SITE_PROGRAM), {site.folder().filePath("site.toml"), "--check"});
+    ASSERT_TRUE(check.waitForFinished(20'000));
+    EXPECT_EQ(check.exitCode(), 0) << check.readAll().toStdString();
+    site.start();
+    TestConsole console(site, "a");
+    EXPECT_DOUBLE_EQ(console.angle(), 0.25);
+    ASSERT_TRUE(server.command("set 102 300"));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.angle() == 0.3; }));
+    EXPECT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    EXPECT_TRUE(TestConsole::eventually([&] {
+        return console.hindrance() == "this arm only tells its joints, it cannot be moved";
+    })) << console.hindrance();
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.rests(300ms));
+    console.letGo();
+    for (const std::string& line : server.takeLines())
+        EXPECT_FALSE(line.starts_with("write")) << line;
+}
+
 TEST(Site, aCheckMovesNothingAndSaysWhatIsMissing) {
     SiteProcess site(88, std::string(kPractice) +
                              "[[device]]\nid = \"pad\"\nwts = \"/dev/there-is-no-such-line\"\n");

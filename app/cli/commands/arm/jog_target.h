@@ -5,7 +5,7 @@
 #include "backend/core/error.h"
 #include "backend/core/interface.h"
 #include "backend/core/threads/stop_switch.h"
-#include "devices/site/remote_arm.h"
+#include "devices/site/remote/remote_arm.h"
 #include "devices/site/remote_site_file.h"
 #include "devices/site/site_client.h"
 

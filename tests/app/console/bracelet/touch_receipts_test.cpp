@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::int64_t kOffset_ns = 5'000'000'000;
 constexpr std::int64_t kBound_ns = 21'000'000;
+constexpr std::int64_t kLate_ns = 20'000;
 
 playback::Program halfDrive(const std::string& /*id*/ = {}) {
     core::Intensities half{};
@@ -40,10 +41,12 @@ class TouchReceiptsTest : public QObject {
     core::StopSwitch m_stop;
     std::unique_ptr<BraceletService> m_station;
 
-    std::int64_t touch(std::uint64_t number) {
+    /// late_ns: by which it came from a site; 0: it was read here.
+    std::int64_t touch(std::uint64_t number, std::int64_t late_ns = 0) {
         pipeline::TouchRecord record;
         record.number = number;
         record.ready_ns = core::steadyNow_ns();
+        record.arrived_ns = late_ns == 0 ? 0 : record.ready_ns + late_ns;
         record.stiffness.emplace();
         record.stiffness->material = stiffness::Material::metal;
         m_station->feedback()->onTouch(record);
@@ -78,7 +81,7 @@ private slots:
         auto* save = panel.findChild<QPushButton*>(QStringLiteral("saveTouchTimes"));
         QVERIFY(save != nullptr && save->isHidden());
         m_station->setSiteClock(site::ClockOffset{.offset_ns = kOffset_ns, .bound_ns = kBound_ns});
-        const std::int64_t read_ns = touch(7);
+        const std::int64_t read_ns = touch(7, kLate_ns);
         QTRY_VERIFY((m_station->tick(), m_station->lastEvent() && m_station->lastEvent()->onset_s));
         QCOMPARE(m_station->receipts().size(), 1U);
         const TouchReceipt receipt = m_station->receipts().front();
@@ -92,16 +95,20 @@ private slots:
         QVERIFY(says(QStringLiteral("± 21")));
 
         const QStringList row = savedRow(receipt);
-        QCOMPARE(row.size(), 10);
+        QCOMPARE(row.size(), 11);
         QCOMPARE(row[0], QStringLiteral("7"));
         QCOMPARE(row[1], QStringLiteral("metal"));
         QCOMPARE(row[3], QStringLiteral("played"));
         QCOMPARE(row[4].toLongLong(), read_ns);
         QCOMPARE(row[5].toLongLong(), read_ns + kOffset_ns);
         QCOMPARE(row[6].toDouble(), 0.021);
-        QVERIFY(row[7].toDouble() >= 0.0);
-        QVERIFY(row[8].toDouble() >= row[7].toDouble());
+        QCOMPARE(row[7].toDouble(), 20e-6);
+        QVERIFY(row[8].toDouble() >= 0.0);
         QVERIFY(row[9].toDouble() >= row[8].toDouble());
+        QVERIFY(row[10].toDouble() >= row[9].toDouble());
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->toolTip().contains(QStringLiteral("Arrived at the console: "));
+        }));
     }
 
     void aTouchHereHasOneClock() {
@@ -111,6 +118,7 @@ private slots:
         const QStringList row = savedRow(m_station->receipts().front());
         QCOMPARE(row[5], QStringLiteral("NA"));
         QCOMPARE(row[6], QStringLiteral("NA"));
+        QCOMPARE(row[7], QStringLiteral("NA"));
     }
 
     void whatWasNotPlayedSaysWhy() {
@@ -125,7 +133,7 @@ private slots:
         QCOMPARE(savedRow(receipt)[3], QStringLiteral("missing"));
         receipt.sent.shape = contour::Shape::circle;
         QCOMPARE(savedRow(receipt)[1], QStringLiteral("circle"));
-        QCOMPARE(savedRow(receipt)[9], QStringLiteral("NA"));
+        QCOMPARE(savedRow(receipt)[10], QStringLiteral("NA"));
     }
 
     void forgettingKeepsTheReceipts() {

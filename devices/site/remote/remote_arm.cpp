@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/site/remote_arm.h"
+#include "devices/site/remote/remote_arm.h"
 
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/urgent_thread.h"
 #include "devices/site/boot_name.h"
-#include "devices/site/remote_text.h"
+#include "devices/site/remote/remote_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,10 @@ void RemoteArm::run(const std::stop_token& stop) {
         (void)m_reader.take([this](const ros::JointBlock& block, const dds::SampleInfo&) { take(block); });
         m_outlet.flush();
         const std::int64_t now_ns = core::steadyNow_ns();
-        if (m_outlet.state() == core::DeviceState::live && now_ns - m_outlet.lastData_ns() > staleAfter_ns)
+        // Again and again: why nothing comes is known a while later.
+        const bool hasCome =
+            m_outlet.state() == core::DeviceState::live || m_outlet.state() == core::DeviceState::stale;
+        if (hasCome && now_ns - m_outlet.lastData_ns() > staleAfter_ns)
             m_outlet.setState(core::DeviceState::stale, now_ns, silenceText(*m_site));
     }
     m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
@@ -91,6 +94,7 @@ void RemoteArm::take(const ros::JointBlock& block) {
         core::JointSample sample;
         sample.time_ns = m_stream.inOrder(m_site->readTime_ns(times[i], arrived_ns));
         sample.sourceTime_s = source[i];
+        sample.arrived_ns = arrived_ns;
         sample.discontinuity = i == 0 && (step.discontinuity || block.discontinuity != 0);
         sample.angle_rad = core::JointVector::zeros(joints);
         sample.reference_rad = sample.angle_rad;

@@ -7,7 +7,7 @@
 #include "backend/core/threads/device_thread.h"
 #include "devices/dds/endpoint.h"
 #include "devices/dds/wait_set.h"
-#include "devices/site/remote_stream.h"
+#include "devices/site/remote/remote_stream.h"
 #include "devices/site/site_client.h"
 
 #include <cstdint>

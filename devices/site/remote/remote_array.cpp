@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/site/remote_array.h"
+#include "devices/site/remote/remote_array.h"
 
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/urgent_thread.h"
 #include "devices/site/boot_name.h"
-#include "devices/site/remote_text.h"
+#include "devices/site/remote/remote_text.h"
 
 #include <cstdint>
 #include <utility>
@@ -49,7 +49,10 @@ void RemoteArray::run(const std::stop_token& stop) {
         m_waitSet.wait(RemoteStream::kLook_ns);
         (void)m_reader.take([this](const ros::TactileBlock& block, const dds::SampleInfo&) { take(block); });
         const std::int64_t now_ns = core::steadyNow_ns();
-        if (m_outlet.state() == core::DeviceState::live && now_ns - m_outlet.lastData_ns() > staleAfter_ns)
+        // Again and again: why nothing comes is known a while later.
+        const bool hasCome =
+            m_outlet.state() == core::DeviceState::live || m_outlet.state() == core::DeviceState::stale;
+        if (hasCome && now_ns - m_outlet.lastData_ns() > staleAfter_ns)
             m_outlet.setState(core::DeviceState::stale, now_ns, silenceText(*m_site));
     }
     m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());

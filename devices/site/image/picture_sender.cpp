@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/image/picture_sender.h"
+
+#include "backend/core/device/colour_image.h"
+#include "backend/core/steady_time.h"
+#include "backend/ros/messages.h"
+#include "devices/site/image/jpeg_picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace teleta::site_link {
+
+namespace {
+
+/// While one is coded, others come; they are replaced by the newest.
+constexpr std::size_t kTapPictures = 8;
+
+} // namespace
+
+PictureSender::PictureSender(const site::BootName& boot)
+    : m_boot(boot)
+    , m_thread([this] { run(); }) {
+}
+
+PictureSender::~PictureSender() {
+    m_stopping = true;
+    m_thread.join();
+    for (const auto& camera : m_cameras)
+        camera->tap->close();
+}
+
+std::shared_ptr<core::StreamTap> PictureSender::add(dds::AnyWriter writer, const PictureSettings& settings) {
+    auto tap = std::make_shared<core::StreamTap>(kTapPictures);
+    const std::scoped_lock lock(m_mutex);
+    m_cameras.push_back(std::make_unique<Camera>(Camera{tap, std::move(writer), PictureBudget(settings)}));
+    return tap;
+}
+
+void PictureSender::run() {
+    std::vector<Camera*> known;
+    while (!m_stopping) {
+        {
+            const std::scoped_lock lock(m_mutex);
+            for (std::size_t i = known.size(); i < m_cameras.size(); ++i)
+                known.push_back(m_cameras[i].get());
+        }
+        for (Camera* camera : known)
+            send(*camera);
+        std::this_thread::sleep_for(std::chrono::nanoseconds(kPoll_ns));
+    }
+}
+
+void PictureSender::send(Camera& camera) const {
+    core::TappedFrames one;
+    for (std::size_t left = camera.tap->capacity(); left > 0 && camera.tap->pop(one); --left) {
+        camera.budget.arrived(one.time_ns.front());
+        one.discontinuity = one.discontinuity || camera.newest.discontinuity;
+        camera.newest = std::exchange(one, {});
+    }
+    const std::int64_t now_ns = core::steadyNow_ns();
+    if (camera.newest.frames() == 0 || !camera.budget.mayWrite(now_ns))
+        return;
+    const core::TappedFrames picture = std::exchange(camera.newest, {});
+    if (camera.writer.matched() == 0)
+        return;
+    auto bytes = toJpeg(core::colourOf(picture.image), camera.budget.quality());
+    if (!bytes)
+        return;
+    camera.budget.written(bytes->size(), now_ns);
+    std::string frame;
+    std::string format = "jpeg";
+    ros::ImageFrame message{};
+    std::ranges::copy(m_boot, std::begin(message.site_boot));
+    message.number = camera.next++;
+    message.read_site_ns = picture.time_ns.front();
+    message.capture_s = picture.sourceTime_s.front();
+    message.discontinuity = picture.discontinuity ? 1 : 0;
+    message.image.header.frame_id = frame.data();
+    message.image.format = format.data();
+    ros::lend(message.image.data, std::span(*bytes));
+    (void)camera.writer.writeAny(&message);
+}
+
+} // namespace teleta::site_link

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/remote/remote_camera.h"
+
+#include "backend/core/device/device_state.h"
+#include "backend/core/failure.h"
+#include "backend/core/steady_time.h"
+#include "devices/ros/camera/camera_message.h"
+#include "devices/site/boot_name.h"
+#include "devices/site/image/jpeg_picture.h"
+#include "devices/site/remote/remote_text.h"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+namespace teleta::site_link {
+
+namespace {
+
+struct RemoteCameraText {
+    Q_DECLARE_TR_FUNCTIONS(RemoteCameraText)
+};
+
+constexpr std::size_t kQueueFrames = 8;
+
+} // namespace
+
+core::Expected<std::unique_ptr<RemoteCamera>> RemoteCamera::open(std::shared_ptr<SiteClient> site,
+                                                                 const std::string& name,
+                                                                 core::CameraDescription description) {
+    TELETA_TRY(auto reader,
+               dds::Reader<ros::ImageFrame>::open(site->participant(), site->topics().image(name), kNewest));
+    return std::unique_ptr<RemoteCamera>(
+        new RemoteCamera(std::move(site), std::move(description), std::move(reader)));
+}
+
+RemoteCamera::RemoteCamera(std::shared_ptr<SiteClient> site, core::CameraDescription description,
+                           dds::Reader<ros::ImageFrame> reader)
+    : m_site(std::move(site))
+    , m_description(std::move(description))
+    , m_reader(std::move(reader))
+    , m_waitSet(m_site->participant())
+    , m_outlet(kQueueFrames) {
+    m_waitSet.attach(m_reader);
+}
+
+void RemoteCamera::open(core::Wakeup& consumer) {
+    m_misfit.clear();
+    m_outlet.open(consumer, core::steadyNow_ns());
+}
+
+void RemoteCamera::run(const std::stop_token& stop) {
+    const std::int64_t staleAfter_ns = core::staleAfter_ns(m_description.nominalRate_Hz);
+    std::int64_t last_ns = core::steadyNow_ns();
+    while (!stop.stop_requested()) {
+        m_waitSet.wait(RemoteStream::kLook_ns);
+        const std::uint64_t before = m_number;
+        (void)m_reader.take(
+            [this](const ros::ImageFrame& message, const dds::SampleInfo&) { take(message); });
+        const std::int64_t now_ns = core::steadyNow_ns();
+        if (m_number != before)
+            last_ns = now_ns;
+        // The time of arrival counts: how old a picture is, its own time says.
+        const bool hasCome =
+            m_outlet.state() == core::DeviceState::live || m_outlet.state() == core::DeviceState::stale;
+        if (hasCome && now_ns - last_ns > staleAfter_ns)
+            m_outlet.setState(core::DeviceState::stale, now_ns,
+                              m_misfit.empty() ? silenceText(*m_site) : m_misfit);
+    }
+    m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
+    m_discontinuity = true;
+}
+
+core::Expected<core::ColourImage> RemoteCamera::pictureOf(const ros::ImageFrame& message) {
+    if (const auto bytes = ros::view(message.image.data); !isWholeJpeg(bytes))
+        return core::failed(
+            core::ErrorKind::badInput,
+            RemoteCameraText::tr("a picture is no JPEG, or was cut off (%1 bytes)").arg(bytes.size()));
+    return ros_camera::pictureOf(message.image);
+}
+
+void RemoteCamera::take(const ros::ImageFrame& message) {
+    const std::int64_t arrived_ns = core::steadyNow_ns();
+    const RemoteStream::Step step = m_stream.take(bootNameOf(message.site_boot), message.number, 1);
+    if (!step.use)
+        return;
+    if (step.lost > 0)
+        m_outlet.lose(step.lost);
+    m_discontinuity = m_discontinuity || step.discontinuity || message.discontinuity != 0;
+    auto picture = pictureOf(message);
+    if (!picture) {
+        m_outlet.lose(1);
+        if (std::exchange(m_misfit, picture.error().message).empty())
+            m_outlet.setState(m_outlet.state(), arrived_ns, m_misfit);
+        return;
+    }
+    m_misfit.clear();
+    core::CameraFrame frame;
+    frame.image = core::bytesOf(std::move(*picture));
+    frame.time_ns = m_stream.inOrder(m_site->readTime_ns(message.read_site_ns, arrived_ns));
+    frame.capture_s = message.capture_s;
+    frame.number = m_number++;
+    frame.discontinuity = std::exchange(m_discontinuity, false);
+    m_outlet.deliver(std::move(frame));
+}
+
+} // namespace teleta::site_link
