@@ -2840,16 +2840,16 @@ Exemples&#xa0;:
         <translation>z %1</translation>
     </message>
     <message>
-        <source>x [mm]</source>
-        <translation>x [mm]</translation>
-    </message>
-    <message>
-        <source>y [mm]</source>
-        <translation>y [mm]</translation>
-    </message>
-    <message>
         <source>undecided: %1</source>
         <translation>indécis&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished">x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished">y</translation>
     </message>
 </context>
 <context>
@@ -15410,6 +15410,21 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>UnitTitle</name>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a title and its unit</comment>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1
+(%2)</source>
+        <comment>a title above its unit</comment>
+        <translation type="unfinished">%1 (%2) {1
+?} {2)?}</translation>
+    </message>
+</context>
+<context>
     <name>UrdfText</name>
     <message>
         <source>there is a document type declaration</source>
@@ -16250,14 +16265,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Enregistrement du moteur %1, et modèle</translation>
     </message>
     <message>
-        <source>drive (%)</source>
-        <translation>commande (%)</translation>
-    </message>
-    <message>
-        <source>speed (Hz)</source>
-        <translation>vitesse (Hz)</translation>
-    </message>
-    <message>
         <source>assumed</source>
         <translation>supposé</translation>
     </message>
@@ -16282,10 +16289,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>%1&#xa0;% de la variance, résidu %2 Hz</translation>
     </message>
     <message>
-        <source>time (s)</source>
-        <translation>temps (s)</translation>
-    </message>
-    <message>
         <source>No recording of this motor yet: measure it, or open a recording.</source>
         <translation>Pas encore d’enregistrement de ce moteur&#xa0;: mesurez-le, ou ouvrez un enregistrement.</translation>
     </message>
@@ -16300,6 +16303,18 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>residual</source>
         <translation>résidu</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16334,26 +16349,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Moteur</translation>
     </message>
     <message>
-        <source>Start (%)</source>
-        <translation>Démarrage (%)</translation>
-    </message>
-    <message>
-        <source>Full (%)</source>
-        <translation>Pleine (%)</translation>
-    </message>
-    <message>
-        <source>Rise (ms)</source>
-        <translation>Montée (ms)</translation>
-    </message>
-    <message>
-        <source>Fall (ms)</source>
-        <translation>Descente (ms)</translation>
-    </message>
-    <message>
-        <source>Speed (Hz)</source>
-        <translation>Vitesse (Hz)</translation>
-    </message>
-    <message>
         <source>Drive at which the motor begins to turn, with its standard error</source>
         <translation>Commande à laquelle le moteur commence à tourner, avec son erreur type</translation>
     </message>
@@ -16376,6 +16371,41 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Source</source>
         <translation>Source</translation>
+    </message>
+    <message>
+        <source>measured, by feel</source>
+        <comment>where the values come from</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>partly by feel</source>
+        <comment>where the values come from</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>partly measured</source>
+        <comment>where the values come from</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">Vitesse</translation>
     </message>
 </context>
 <context>
@@ -16829,6 +16859,16 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Around the tube</source>
         <translation>Autour</translation>
     </message>
+    <message>
+        <source>Along</source>
+        <comment>the tube</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <comment>the tube</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::EventTable</name>
@@ -17037,24 +17077,24 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Paire</translation>
     </message>
     <message>
-        <source>Pixel, px</source>
-        <translation>Pixel, px</translation>
-    </message>
-    <message>
-        <source>Point, mm</source>
-        <translation>Point, mm</translation>
-    </message>
-    <message>
-        <source>Image, px</source>
-        <translation>Image, px</translation>
-    </message>
-    <message>
-        <source>Surface, mm</source>
-        <translation>Surface, mm</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>État</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -17431,6 +17471,21 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>From sensor read to screen: %1 ms</source>
         <translation>De la lecture à l’écran&#xa0;: %1 ms</translation>
+    </message>
+    <message>
+        <source>rec</source>
+        <comment>recorded, short</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rec sim</source>
+        <comment>a recorded simulation, short</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sim</source>
+        <comment>simulated, short</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19951,6 +20006,24 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The file is for “%1”, this bracelet is “%2”. Measure this one, or connect the other.</source>
         <translation>C’est celui de «&#xa0;%1&#xa0;», or celui-ci est «&#xa0;%2&#xa0;». Mesurez celui-ci, ou connectez l’autre.</translation>
+    </message>
+    <message>
+        <source>Motor %1 was measured and is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors %1 were measured and are not saved.</source>
+        <comment>1, 2</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 was changed and is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors %1 were changed and are not saved.</source>
+        <comment>1, 2</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -23038,10 +23111,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Force au cours du temps</translation>
     </message>
     <message>
-        <source>Force, N</source>
-        <translation>Force, N</translation>
-    </message>
-    <message>
         <source>actual</source>
         <translation>réelle</translation>
     </message>
@@ -23052,6 +23121,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Measured force (line) and desired force (dashes) over the last 20 s</source>
         <translation>Force lue par la matrice (trait) et force voulue (tirets), sur les 20 dernières secondes</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">Force</translation>
     </message>
 </context>
 <context>
@@ -23164,6 +23237,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Set force, speed, gains and moment back to the values of the scene</source>
         <translation>Annuler toutes les modifications de force, de vitesse, de gains et de moment</translation>
     </message>
+    <message>
+        <source>Matrices</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -23259,10 +23336,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::signal::SignalPlot</name>
     <message>
-        <source>frequency (Hz)</source>
-        <translation>fréquence (Hz)</translation>
-    </message>
-    <message>
         <source>units</source>
         <translation>unités</translation>
     </message>
@@ -23279,10 +23352,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>amplitude (%1)</translation>
     </message>
     <message>
-        <source>time (s)</source>
-        <translation>temps (s)</translation>
-    </message>
-    <message>
         <source>Signals over time</source>
         <translation>Signaux au cours du temps</translation>
     </message>
@@ -23290,6 +23359,14 @@ Lancez teleta-site --help pour en savoir plus.
         <source>plot</source>
         <comment>name of a file</comment>
         <translation>trace</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -24152,6 +24229,10 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <source>Level</source>
         <translation>Niveau</translation>
     </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::StudyPanel</name>
@@ -24997,10 +25078,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Contact</translation>
     </message>
     <message>
-        <source>Force</source>
-        <translation>Force</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
     </message>
@@ -25013,8 +25090,16 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Forme</translation>
     </message>
     <message>
-        <source>When its first touch was evaluated; Touches shows when it began, a moment earlier</source>
-        <translation>Moment où son premier contact a été évalué&#xa0;; Contacts indique quand il a commencé, un instant avant</translation>
+        <source>Highest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When its first touch began, as in Touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The highest force of all its touches, from the torques of the joints</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

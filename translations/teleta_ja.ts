@@ -2834,16 +2834,16 @@ Examples:
         <translation>z %1</translation>
     </message>
     <message>
-        <source>x [mm]</source>
-        <translation>x [mm]</translation>
-    </message>
-    <message>
-        <source>y [mm]</source>
-        <translation>y [mm]</translation>
-    </message>
-    <message>
         <source>undecided: %1</source>
         <translation>未確定: %1</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished">x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished">y</translation>
     </message>
 </context>
 <context>
@@ -15372,6 +15372,21 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>UnitTitle</name>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a title and its unit</comment>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1
+(%2)</source>
+        <comment>a title above its unit</comment>
+        <translation type="unfinished">%1 (%2) {1
+?} {2)?}</translation>
+    </message>
+</context>
+<context>
     <name>UrdfText</name>
     <message>
         <source>there is a document type declaration</source>
@@ -16207,14 +16222,6 @@ Run teleta-site --help for more.
         <translation>モーター%1の記録とモデル</translation>
     </message>
     <message>
-        <source>drive (%)</source>
-        <translation>駆動量 (%)</translation>
-    </message>
-    <message>
-        <source>speed (Hz)</source>
-        <translation>速度 (Hz)</translation>
-    </message>
-    <message>
         <source>assumed</source>
         <translation>仮定値</translation>
     </message>
@@ -16239,10 +16246,6 @@ Run teleta-site --help for more.
         <translation>分散の%1 %、残差 %2 Hz</translation>
     </message>
     <message>
-        <source>time (s)</source>
-        <translation>時間 (s)</translation>
-    </message>
-    <message>
         <source>No recording of this motor yet: measure it, or open a recording.</source>
         <translation>このモーターの記録はまだありません: 測定するか、記録を開いてください。</translation>
     </message>
@@ -16257,6 +16260,18 @@ Run teleta-site --help for more.
     <message>
         <source>residual</source>
         <translation>残差</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16291,26 +16306,6 @@ Run teleta-site --help for more.
         <translation>モーター</translation>
     </message>
     <message>
-        <source>Start (%)</source>
-        <translation>始動点 (%)</translation>
-    </message>
-    <message>
-        <source>Full (%)</source>
-        <translation>最大 (%)</translation>
-    </message>
-    <message>
-        <source>Rise (ms)</source>
-        <translation>立ち上がり (ms)</translation>
-    </message>
-    <message>
-        <source>Fall (ms)</source>
-        <translation>立ち下がり (ms)</translation>
-    </message>
-    <message>
-        <source>Speed (Hz)</source>
-        <translation>速度 (Hz)</translation>
-    </message>
-    <message>
         <source>Drive at which the motor begins to turn, with its standard error</source>
         <translation>モーターが回り始める駆動量とその標準誤差</translation>
     </message>
@@ -16333,6 +16328,41 @@ Run teleta-site --help for more.
     <message>
         <source>Source</source>
         <translation>ソース</translation>
+    </message>
+    <message>
+        <source>measured, by feel</source>
+        <comment>where the values come from</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>partly by feel</source>
+        <comment>where the values come from</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>partly measured</source>
+        <comment>where the values come from</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">速度</translation>
     </message>
 </context>
 <context>
@@ -16786,6 +16816,16 @@ Run teleta-site --help for more.
         <source>Around the tube</source>
         <translation>周方向</translation>
     </message>
+    <message>
+        <source>Along</source>
+        <comment>the tube</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <comment>the tube</comment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::EventTable</name>
@@ -16991,24 +17031,24 @@ Run teleta-site --help for more.
         <translation>ペア</translation>
     </message>
     <message>
-        <source>Pixel, px</source>
-        <translation>画素、px</translation>
-    </message>
-    <message>
-        <source>Point, mm</source>
-        <translation>点、mm</translation>
-    </message>
-    <message>
-        <source>Image, px</source>
-        <translation>画像、px</translation>
-    </message>
-    <message>
-        <source>Surface, mm</source>
-        <translation>表面、mm</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>状態</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -17383,6 +17423,21 @@ Run teleta-site --help for more.
     <message>
         <source>From sensor read to screen: %1 ms</source>
         <translation>読み取りから画面まで: %1 ms</translation>
+    </message>
+    <message>
+        <source>rec</source>
+        <comment>recorded, short</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rec sim</source>
+        <comment>a recorded simulation, short</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sim</source>
+        <comment>simulated, short</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19892,6 +19947,24 @@ Run teleta-site --help for more.
     <message>
         <source>The file is for “%1”, this bracelet is “%2”. Measure this one, or connect the other.</source>
         <translation>これは「%1」のもので、現在のブレスレットは「%2」です。現在のものを測定するか、もう一方を接続してください。</translation>
+    </message>
+    <message>
+        <source>Motor %1 was measured and is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors %1 were measured and are not saved.</source>
+        <comment>1, 2</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motor %1 was changed and is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors %1 were changed and are not saved.</source>
+        <comment>1, 2</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -22970,10 +23043,6 @@ Run teleta-site --help for more.
         <translation>力の時間変化</translation>
     </message>
     <message>
-        <source>Force, N</source>
-        <translation>力、N</translation>
-    </message>
-    <message>
         <source>actual</source>
         <translation>実際</translation>
     </message>
@@ -22984,6 +23053,10 @@ Run teleta-site --help for more.
     <message>
         <source>Measured force (line) and desired force (dashes) over the last 20 s</source>
         <translation>アレイが読み取る力 (実線) と目標の力 (破線)、直近20 s</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">力</translation>
     </message>
 </context>
 <context>
@@ -23096,6 +23169,10 @@ Run teleta-site --help for more.
         <source>Set force, speed, gains and moment back to the values of the scene</source>
         <translation>力・速度・ゲイン・モーメントの変更をすべて元に戻します</translation>
     </message>
+    <message>
+        <source>Matrices</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -23191,10 +23268,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::signal::SignalPlot</name>
     <message>
-        <source>frequency (Hz)</source>
-        <translation>周波数 (Hz)</translation>
-    </message>
-    <message>
         <source>units</source>
         <translation>単位</translation>
     </message>
@@ -23211,10 +23284,6 @@ Run teleta-site --help for more.
         <translation>振幅 (%1)</translation>
     </message>
     <message>
-        <source>time (s)</source>
-        <translation>時間 (s)</translation>
-    </message>
-    <message>
         <source>Signals over time</source>
         <translation>信号の時間変化</translation>
     </message>
@@ -23222,6 +23291,14 @@ Run teleta-site --help for more.
         <source>plot</source>
         <comment>name of a file</comment>
         <translation>plot</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -24082,6 +24159,10 @@ Enter what you assume on the left, and choose Plan.</source>
         <source>Level</source>
         <translation>レベル</translation>
     </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">時刻</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::StudyPanel</name>
@@ -24925,10 +25006,6 @@ Double-click to type the upper end.</source>
         <translation>接触</translation>
     </message>
     <message>
-        <source>Force</source>
-        <translation>力</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>剛性</translation>
     </message>
@@ -24941,8 +25018,16 @@ Double-click to type the upper end.</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>When its first touch was evaluated; Touches shows when it began, a moment earlier</source>
-        <translation>最初のタッチが評価された時刻。タッチ一覧には、その少し前の開始時刻があります</translation>
+        <source>Highest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When its first touch began, as in Touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The highest force of all its touches, from the torques of the joints</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

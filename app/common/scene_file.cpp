@@ -25,6 +25,10 @@ std::string placeOf(const std::string& pathOrName, const QString& kind = QString
 
 } // namespace
 
+std::string scenePlace(const std::string& pathOrName) {
+    return placeOf(pathOrName);
+}
+
 core::Expected<scene::Scene> readScene(const std::string& pathOrName) {
     return scene::readScene(placeOf(pathOrName));
 }

@@ -17,6 +17,9 @@ namespace teleta::app {
 /// resource (":/scenes/teleta-touch.toml"). A file of that name goes first. Failure: as scene::readScene().
 [[nodiscard]] core::Expected<scene::Scene> readScene(const std::string& pathOrName);
 
+/// Where such a scene is: the path itself, or the resource.
+[[nodiscard]] std::string scenePlace(const std::string& pathOrName);
+
 /// A scene of either kind: a world that devices sense, or a study.
 using AnyScene = std::variant<scene::Scene, study::StudyScene>;
 /// The same for both kinds. Failure: also as study::parseStudyScene().

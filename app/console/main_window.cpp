@@ -145,6 +145,11 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
         m_stop.release();
         showStop();
     });
+    // Once the mouse or the key is up: the next Space is for the page, and stops nothing.
+    connect(m_stopButton, &QAbstractButton::released, this, [this] {
+        if (!m_stop.engaged())
+            focusPage();
+    });
     connect(&m_sources, &SourceManager::failed, this, &MainWindow::onFailed);
     connect(m_recordings, &RecordingFiles::failed, this, &MainWindow::onFailed);
     connect(m_live.get(), &LiveViewService::listening, this, [this](const QString& address) {
@@ -245,12 +250,14 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     base::keepTranslated(this, &MainWindow::retranslate);
     qApp->installEventFilter(this);
 
-    // STOP is at the lower right: a window that is larger than its screen would hide it.
-    resize(QSize(base::em(this, 96), base::em(this, 60)).boundedTo(screen()->availableSize() - kFrame_px));
+    resize(base::em(this, 96), base::em(this, 60));
     if (!m_settings.geometry().isEmpty())
         restoreGeometry(m_settings.geometry());
     if (options.size.isValid())
         resize(options.size);
+    // Nobody presses STOP in a picture, which may be larger than the screen.
+    if (options.screenshot.isEmpty())
+        keepOnScreen();
     if (!m_settings.layout(QLatin1String(kOperate)).isEmpty())
         m_operate->docks().restoreLayouts(m_settings.layout(QLatin1String(kOperate)));
 
@@ -466,6 +473,26 @@ void MainWindow::showPage(const QString& name) {
         if (page.name == name)
             m_pages->showPage(page.content);
     m_settings.setPage(name);
+    focusPage();
+}
+
+/// STOP is at the lower right: a window that is larger than its screen, or beside it, would hide it.
+void MainWindow::keepOnScreen() {
+    if (isMaximized() || isFullScreen())
+        return;
+    const QRect room = screen()->availableGeometry();
+    resize(size().boundedTo(room.size() - kFrame_px));
+    if (!testAttribute(Qt::WA_Moved)) // the desktop finds a place
+        return;
+    const QSize whole = size() + kFrame_px;
+    move(std::clamp(x(), room.left(), room.left() + room.width() - whole.width()),
+         std::clamp(y(), room.top(), room.top() + room.height() - whole.height()));
+}
+
+void MainWindow::focusPage() {
+    for (const Page& page : pages())
+        if (page.name == m_rail->currentPage())
+            (page.first != nullptr ? page.first : page.content)->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::setTheme(const QString& theme) {
@@ -517,7 +544,8 @@ std::vector<MainWindow::Page> MainWindow::pages() const {
     return {{QStringLiteral("operate"), base::Icon::operate, tr("Operate"),
              tr("What the arm touches, live or played back"), m_operate.get()},
             {QStringLiteral("patterns"), base::Icon::patterns, tr("Patterns"),
-             tr("What the bracelet can say: edit, check and play patterns"), m_patterns.get()},
+             tr("What the bracelet can say: edit, check and play patterns"), m_patterns.get(),
+             m_patterns->editor().timeline()},
             {QStringLiteral("study"), base::Icon::study, tr("Study"),
              tr("User studies: from the first practice trial to confusion matrices and ANOVA"),
              m_study.get()},

@@ -96,6 +96,7 @@ private:
         QString title;
         QString about;
         QWidget* content;
+        QWidget* first = nullptr; ///< takes the keys when the page is chosen; null: the page
     };
     [[nodiscard]] std::vector<Page> pages() const;
     void retranslate();
@@ -132,6 +133,8 @@ private:
     void beginRecording();
     void saveState();
     void showPage(const QString& name);
+    void focusPage();
+    void keepOnScreen();
 
     ConsoleSettings& m_settings;
     core::StopSwitch& m_stop;

@@ -62,7 +62,7 @@ void SvgCanvas::watermark(const QString& word) {
     const double size = 0.8 * std::hypot(m_width, m_height) / (0.72 * static_cast<double>(word.size()));
     const double angle_deg = -std::atan2(m_height, m_width) * 180.0 / std::numbers::pi;
     text(m_width / 2.0, m_height / 2.0, word, QStringLiteral("ink middle bold"),
-         QStringLiteral("font-size=\"%1\" fill-opacity=\"0.1\" dominant-baseline=\"middle\" "
+         QStringLiteral("font-size=\"%1\" fill-opacity=\"0.06\" dominant-baseline=\"middle\" "
                         "transform=\"rotate(%2 %3 %4)\"")
              .arg(svgNumber(std::min(size, 0.5 * m_height)), svgNumber(angle_deg), svgNumber(m_width / 2.0),
                   svgNumber(m_height / 2.0)));

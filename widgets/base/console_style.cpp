@@ -2,6 +2,7 @@
 #include "widgets/base/console_style.h"
 
 #include "widgets/base/control_painter.h"
+#include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
 
 #include <QAbstractItemView>
@@ -111,6 +112,17 @@ void drawTab(const QStyleOptionTab& option, QPainter& painter) {
     if (flat.focused() && isChosen)
         flat.box(rect.adjusted(1, 1, -1, -1), {}, flat.colours().ring, kControlRadius,
                  ControlPainter::kRing_px);
+}
+
+/// Of message boxes that ask.
+IconDrawing questionMark() {
+    IconDrawing drawing;
+    drawing.strokes.addEllipse(QPointF(12.0, 12.0), 9.0, 9.0);
+    drawing.strokes.moveTo(9.2, 9.7);
+    drawing.strokes.cubicTo(9.2, 6.1, 14.8, 6.1, 14.8, 9.7);
+    drawing.strokes.cubicTo(14.8, 11.9, 12.0, 11.7, 12.0, 14.0);
+    drawing.fills.addEllipse(QPointF(12.0, 17.0), 1.3, 1.3);
+    return drawing;
 }
 
 } // namespace
@@ -439,6 +451,29 @@ int ConsoleStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
         return 0;
     default:
         return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+}
+
+int ConsoleStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                            QStyleHintReturn* returned) const {
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons
+               ? 0
+               : QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
+QIcon ConsoleStyle::standardIcon(StandardPixmap icon, const QStyleOption* option,
+                                 const QWidget* widget) const {
+    switch (icon) {
+    case SP_MessageBoxInformation:
+        return themeIcon(Icon::info);
+    case SP_MessageBoxQuestion:
+        return themeIcon(questionMark());
+    case SP_MessageBoxWarning:
+        return themeIcon(Icon::warning);
+    case SP_MessageBoxCritical:
+        return themeIcon(Icon::error);
+    default:
+        return QProxyStyle::standardIcon(icon, option, widget);
     }
 }
 

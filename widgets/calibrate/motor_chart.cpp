@@ -2,6 +2,7 @@
 #include "widgets/calibrate/motor_chart.h"
 
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
@@ -103,6 +104,34 @@ void MotorChart::draw() {
     m_recording->setAccessibleName(tr("Recording of motor %1, and the model").arg(m_number + 1));
 }
 
+void MotorChart::resizeEvent(QResizeEvent* event) {
+    SizedView::resizeEvent(event);
+    draw(); // the texts wrap
+}
+
+/// With line breaks, so that it stays inside the axes.
+QString MotorChart::wrapped(const QCustomPlot& chart, const QString& text) const {
+    // Before the chart is laid out its axes have no size yet.
+    const int axes_px = base::em(this, 5);
+    const double room_px = std::max(0.92 * (chart.width() - axes_px), 8.0 * base::em(this, 1));
+    const QFontMetricsF metrics(font());
+    QStringList lines;
+    for (const QString& paragraph : text.split(QLatin1Char('\n'))) {
+        QString line;
+        for (const QString& word : paragraph.split(QLatin1Char(' '))) {
+            const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+            if (!line.isEmpty() && metrics.horizontalAdvance(longer) > room_px) {
+                lines << line;
+                line = word;
+            } else {
+                line = longer;
+            }
+        }
+        lines << line;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
 /// Above the grid lines.
 QCPItemText* MotorChart::addText(QCustomPlot* chart, const QColor& colour) const {
     auto* text = new QCPItemText(chart);
@@ -120,8 +149,8 @@ void MotorChart::drawCurve() {
     m_curve->clearItems();
     const pattern::MotorProfile& profile = m_motor.profile;
     const bool assumed = m_motor.lagFrom == motors::CalibratedMotor::Origin::assumed;
-    m_curve->xAxis->setLabel(tr("drive (%)"));
-    m_curve->yAxis->setLabel(tr("speed (Hz)"));
+    m_curve->xAxis->setLabel(base::titleWithUnit(tr("drive"), QStringLiteral("%")));
+    m_curve->yAxis->setLabel(base::titleWithUnit(tr("speed"), QStringLiteral("Hz")));
     double highest_Hz = 50.0;
 
     const double low = m_evidence ? m_evidence->fit.startLow : profile.startDrive - 2.0 * m_motor.startError;
@@ -178,7 +207,7 @@ void MotorChart::drawCurve() {
         words += QLatin1Char('\n') + tr("%1 % of the variance, residual %2 Hz")
                                          .arg(base::fixedDigits(100.0 * m_evidence->fit.explained, 2))
                                          .arg(base::fixedDigits(m_evidence->fit.residual_Hz, 2));
-    text->setText(words);
+    text->setText(wrapped(*m_curve, words));
     m_curve->xAxis->setRange(0.0, 102.0);
     m_curve->yAxis->setRange(0.0, 1.25 * highest_Hz);
     m_curve->replot(QCustomPlot::rpQueuedReplot);
@@ -188,8 +217,8 @@ void MotorChart::drawRecording() {
     const QPalette& colours = m_colours;
     m_recording->clearPlottables();
     m_recording->clearItems();
-    m_recording->xAxis->setLabel(tr("time (s)"));
-    m_recording->yAxis->setLabel(tr("speed (Hz)"));
+    m_recording->xAxis->setLabel(base::titleWithUnit(tr("time"), QStringLiteral("s")));
+    m_recording->yAxis->setLabel(base::titleWithUnit(tr("speed"), QStringLiteral("Hz")));
     if (!m_live.empty()) {
         drawLive();
         return;
@@ -198,7 +227,8 @@ void MotorChart::drawRecording() {
     if (!m_evidence) {
         QCPItemText* text = addText(m_recording, colours.color(QPalette::PlaceholderText));
         text->position->setCoords(0.5, 0.5);
-        text->setText(tr("No recording of this motor yet: measure it, or open a recording."));
+        text->setText(wrapped(*m_recording,
+                              tr("No recording of this motor yet: measure it, or open a recording.")));
         m_recording->xAxis->setRange(0.0, 10.0);
         m_recording->yAxis->setRange(0.0, 300.0);
         m_recording->replot(QCustomPlot::rpQueuedReplot);

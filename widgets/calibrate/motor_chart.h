@@ -48,7 +48,11 @@ public:
 signals:
     void exportFailed(const QString& message);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    [[nodiscard]] QString wrapped(const QCustomPlot& chart, const QString& text) const;
     void restyle(const QPalette& colours);
     void draw();
     void drawCurve();

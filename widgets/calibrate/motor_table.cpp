@@ -2,6 +2,7 @@
 #include "widgets/calibrate/motor_table.h"
 
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -14,6 +15,10 @@ namespace {
 using Origin = motors::CalibratedMotor::Origin;
 
 enum Column { kMotor, kStart, kFull, kRise, kFall, kSpeed, kSource, kColumns };
+
+Qt::Alignment alignmentOf(int column) {
+    return (column == kMotor || column == kSource ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+}
 
 QString withError(double value, double error, int decimals) {
     QString text = base::fixedDigits(value, decimals);
@@ -30,6 +35,7 @@ MotorTable::MotorTable(QWidget* parent)
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setAlternatingRowColors(true);
+    setWordWrap(false);
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setStretchLastSection(true);
@@ -75,8 +81,7 @@ void MotorTable::fill() {
             }
             cell->setText(text);
             cell->setForeground(assumed ? faint : ink);
-            cell->setTextAlignment((column == kMotor || column == kSource ? Qt::AlignLeft : Qt::AlignRight) |
-                                   Qt::AlignVCenter);
+            cell->setTextAlignment(alignmentOf(column));
         };
         const bool range = motor.startFrom == Origin::assumed;
         const bool lag = motor.lagFrom == Origin::assumed;
@@ -91,16 +96,28 @@ void MotorTable::fill() {
         set(kFall, withError(1e3 * profile.fallTime_s, 1e3 * motor.fallError_s, 1), lag);
         set(kSpeed, base::fixedDigits(steadySpeed_Hz(profile, profile.fullDrive), 0), lag);
         set(kSource,
-            tr("start %1, lag and curve %2", "where the values come from")
-                .arg(originText(motor.startFrom), originText(motor.lagFrom)),
+            motor.startFrom == motor.lagFrom ? originText(motor.lagFrom)
+            : !lag && !range                 ? tr("measured, by feel", "where the values come from")
+            : motor.startFrom == Origin::answers || motor.lagFrom == Origin::answers
+                ? tr("partly by feel", "where the values come from")
+                : tr("partly measured", "where the values come from"),
             range && lag);
+        item(row, kSource)
+            ->setToolTip(tr("start %1, lag and curve %2", "where the values come from")
+                             .arg(originText(motor.startFrom), originText(motor.lagFrom)));
     }
 }
 
 void MotorTable::retranslate() {
     setAccessibleName(tr("Motors of the bracelet"));
-    setHorizontalHeaderLabels({tr("Motor"), tr("Start (%)"), tr("Full (%)"), tr("Rise (ms)"), tr("Fall (ms)"),
-                               tr("Speed (Hz)"), tr("Source")});
+    const QString percent = QStringLiteral("%");
+    const QString ms = QStringLiteral("ms");
+    setHorizontalHeaderLabels({tr("Motor"), base::titleOverUnit(tr("Start"), percent),
+                               base::titleOverUnit(tr("Full"), percent), base::titleOverUnit(tr("Rise"), ms),
+                               base::titleOverUnit(tr("Fall"), ms),
+                               base::titleOverUnit(tr("Speed"), QStringLiteral("Hz")), tr("Source")});
+    for (int column = 0; column < kColumns; ++column)
+        horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
     const QStringList tips{QString(),
                            tr("Drive at which the motor begins to turn, with its standard error"),
                            tr("Drive of intensity 1, so that all motors are equally strong"),

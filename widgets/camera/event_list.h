@@ -16,6 +16,16 @@ namespace teleta::camera {
 class EventListModel : public base::TitledModel {
 public:
     using TitledModel::TitledModel;
+    static constexpr int kEventColumn = 1; ///< the one with words
+    /// Titles stand over their cells: words at the left, numbers at the right.
+    [[nodiscard]] static int alignmentOf(int column) {
+        return int(Qt::AlignVCenter | (column == kEventColumn ? Qt::AlignLeft : Qt::AlignRight));
+    }
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+        return orientation == Qt::Horizontal && role == Qt::TextAlignmentRole
+                   ? QVariant(alignmentOf(section))
+                   : TitledModel::headerData(section, orientation, role);
+    }
     virtual void clear() = 0;
     /// One line per event, the oldest first; C locale, NA where unknown.
     [[nodiscard]] virtual QString csv() const = 0;

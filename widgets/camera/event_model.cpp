@@ -3,6 +3,7 @@
 
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/theme.h"
 
 #include <QFont>
@@ -20,9 +21,9 @@ namespace {
 using pipeline::CameraEvent;
 using Kind = CameraEvent::Kind;
 
-/// A cell with a number; empty when it is not known.
-QVariant quantity(bool known, const QString& number, const QString& unit) {
-    return known ? QVariant(base::withUnit(number, unit)) : QVariant();
+/// A cell with a number, whose unit is in the title; empty when it is not known.
+QVariant quantity(bool known, const QString& number) {
+    return known ? QVariant(number.trimmed()) : QVariant();
 }
 
 /// Names in files, by kind.
@@ -70,8 +71,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     const CameraEvent& happened = m_events[static_cast<std::size_t>(index.row())];
     const bool bumps = happened.kind == Kind::bumps;
     if (role == Qt::TextAlignmentRole)
-        return QVariant(index.column() == event ? Qt::AlignLeft | Qt::AlignVCenter
-                                                : Qt::AlignRight | Qt::AlignVCenter);
+        return alignmentOf(index.column());
     if (role == Qt::ForegroundRole && bumps)
         return base::statusColours(QGuiApplication::palette()).lost;
     if (role == Qt::FontRole && bumps)
@@ -81,7 +81,7 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     const Eigen::Vector3d& p = happened.p_Sensor_m;
     switch (index.column()) {
     case time:
-        return base::withUnit(base::fixedDigits(happened.time_s, 3), QStringLiteral("s"));
+        return base::fixedDigits(happened.time_s, 3);
     case event: {
         static constexpr std::array kTexts{QT_TR_NOOP("touched"),         QT_TR_NOOP("BUMP"),
                                            QT_TR_NOOP("released"),        QT_TR_NOOP("arm follows"),
@@ -91,20 +91,32 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     case contact:
         return happened.contact > 0 ? QVariant(happened.contact) : QVariant();
     case along:
-        return quantity(happened.located, base::threeDigits(1e3 * p.z()), QStringLiteral("mm"));
+        return quantity(happened.located, base::threeDigits(1e3 * p.z()));
     case around:
-        return quantity(happened.located, base::wholeNumber(std::atan2(p.y(), p.x()) * 180.0 / M_PI),
-                        QStringLiteral("\u00b0"));
+        return quantity(happened.located, base::wholeNumber(std::atan2(p.y(), p.x()) * 180.0 / M_PI));
     case depth:
         return quantity(happened.contact > 0 && std::isfinite(happened.depth_m),
-                        base::threeDigits(1e3 * happened.depth_m), QStringLiteral("mm"));
+                        base::threeDigits(1e3 * happened.depth_m));
     default:
         return {};
     }
 }
 
 QStringList EventModel::titles() const {
-    return {tr("Time"), tr("Event"), tr("Contact"), tr("Along the tube"), tr("Around the tube"), tr("Depth")};
+    static_assert(event == kEventColumn);
+    const QString mm = QStringLiteral("mm");
+    return {base::titleWithUnit(tr("Time"), QStringLiteral("s")),
+            tr("Event"),
+            tr("Contact"),
+            base::titleWithUnit(tr("Along", "the tube"), mm),
+            base::titleWithUnit(tr("Around", "the tube"), QStringLiteral("\u00b0")),
+            base::titleWithUnit(tr("Depth"), mm)};
+}
+
+QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && (section == along || section == around))
+        return section == along ? tr("Along the tube") : tr("Around the tube");
+    return EventListModel::headerData(section, orientation, role);
 }
 
 } // namespace teleta::camera

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] QString csv() const override;
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_events.size()); }

@@ -3,6 +3,7 @@
 
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 
 #include <array>
 
@@ -105,7 +106,12 @@ QVariant PairModel::data(const QModelIndex& index, int role) const {
 }
 
 QStringList PairModel::titles() const {
-    return {tr("Pair"), tr("Pixel, px"), tr("Point, mm"), tr("Image, px"), tr("Surface, mm"), tr("State")};
+    return {tr("Pair"),
+            base::titleWithUnit(tr("Pixel"), QStringLiteral("px")),
+            base::titleWithUnit(tr("Point"), QStringLiteral("mm")),
+            base::titleWithUnit(tr("Image"), QStringLiteral("px")),
+            base::titleWithUnit(tr("Surface"), QStringLiteral("mm")),
+            tr("State")};
 }
 
 Qt::ItemFlags PairModel::flags(const QModelIndex& index) const {

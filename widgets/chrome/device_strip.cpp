@@ -48,6 +48,21 @@ QString wordOf(base::Provenance provenance) {
     return QLocale().toLower(base::provenanceText(provenance));
 }
 
+/// The same where there is little room; the colour of the stripe says it as well.
+QString shortWordOf(base::Provenance provenance) {
+    switch (provenance) {
+    case base::Provenance::live:
+        break;
+    case base::Provenance::recorded:
+        return DeviceStrip::tr("rec", "recorded, short");
+    case base::Provenance::recordedSimulation:
+        return DeviceStrip::tr("rec sim", "a recorded simulation, short");
+    case base::Provenance::simulated:
+        return DeviceStrip::tr("sim", "simulated, short");
+    }
+    return {};
+}
+
 } // namespace
 
 DeviceStrip::DeviceStrip(QWidget* parent)
@@ -113,7 +128,7 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& nam
         parts << word;
     if (live && detail < Detail::troubles)
         parts << base::withUnit(cell.rate.text().trimmed(), tr("Hz"));
-    if (reading.lost > 0 || detail < Detail::nameAndRate)
+    if (reading.lost > 0)
         parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
     if (reading.active && cell.latency_ms.shown() && live && detail == Detail::all)
         parts << tr("to screen %1 ms").arg(cell.latency_ms.text().trimmed());
@@ -136,9 +151,9 @@ QFont DeviceStrip::smallFont() const {
 }
 
 double DeviceStrip::besideText(const Cell& cell) const {
-    const QString word = wordOf(cell.reading.provenance);
-    const double room =
-        word.isEmpty() ? 0.0 : QFontMetricsF(smallFont()).horizontalAdvance(word) + base::grid(this);
+    const double room = cell.word.isEmpty()
+                            ? 0.0
+                            : QFontMetricsF(smallFont()).horizontalAdvance(cell.word) + base::grid(this);
     return base::grid(this, 4) + room;
 }
 
@@ -148,6 +163,10 @@ int DeviceStrip::place(Detail detail) {
     std::vector<double> widths;
     for (Cell& cell : m_cells) {
         cell.shown = compose(cell, detail, cell.reading.name);
+        // A name is shortened only when the word is gone.
+        cell.word = detail == Detail::all        ? wordOf(cell.reading.provenance)
+                    : detail != Detail::cutShort ? shortWordOf(cell.reading.provenance)
+                                                 : QString();
         widths.push_back(std::ceil(besideText(cell) + base::tabularWidth(metrics, cell.shown)));
     }
     const double most = detail == Detail::cutShort
@@ -199,16 +218,18 @@ void DeviceStrip::paintEvent(QPaintEvent* /*event*/) {
         base::paintStatusGlyph(painter, {x, box.center().y() - 0.5 * glyph, glyph, glyph}, cell.reading.state,
                                palette());
         x += glyph + base::grid(this);
-        if (const QString word = wordOf(cell.reading.provenance); !word.isEmpty()) {
+        if (cell.reading.provenance != base::Provenance::live) {
             const QColor colour = base::provenanceColour(cell.reading.provenance, palette());
             painter.fillRect(QRectF(box.left(), box.top(), base::grid(this, base::kStripe), box.height()),
                              colour);
             painter.setPen(colour);
             painter.setFont(smallFont());
-            const QRectF place(x, box.top(), painter.fontMetrics().horizontalAdvance(word), box.height());
-            painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, word);
+            const QRectF place(x, box.top(), painter.fontMetrics().horizontalAdvance(cell.word),
+                               box.height());
+            painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, cell.word);
             painter.setFont(font());
-            x += place.width() + base::grid(this);
+            if (!cell.word.isEmpty())
+                x += place.width() + base::grid(this);
         }
         painter.setPen(palette().color(QPalette::WindowText));
         base::drawTabularText(painter, {x, box.top(), box.right() - x, box.height()},

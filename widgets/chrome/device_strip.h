@@ -67,6 +67,7 @@ private:
         base::SteadyNumber touchToSkin_ms{0.1};
         QString text;
         QString shown;
+        QString word; ///< that its data are not live, as shown
         QRect rect;
     };
     [[nodiscard]] QString compose(const Cell& cell, Detail detail, const QString& name) const;

@@ -8,12 +8,36 @@
 
 #include <QHBoxLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace teleta::pattern {
 
 namespace {
-constexpr double kLeastWidth_em = 19.0; ///< room for the names and for fields that can be read
+constexpr double kLeastField_em = 5.0; ///< a time with its unit, or the begin of a choice
+
+/// Scrolls up and down only: never narrower than its fields.
+class FieldScroll : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
+                QScrollArea::minimumSizeHint().height()};
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::eventFilter(watched, event);
+    }
+};
+
+/// Nobody types into the widest value that there could be.
+void letShrink(QWidget* field) {
+    field->setMinimumWidth(base::em(field, kLeastField_em));
+}
+
 }
 
 PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
@@ -62,13 +86,14 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     m_rows = new QWidget(inside);
     layout->addWidget(m_rows);
     layout->addStretch(1);
-    auto* scroll = new QScrollArea(this);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_duration, m_loopBegin, m_loopEnd, m_task, m_condition})
+        letShrink(field);
+    auto* scroll = new FieldScroll(this);
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to its fields instead
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(inside);
-    scroll->setMinimumWidth(base::em(this, kLeastWidth_em));
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scroll);
@@ -206,6 +231,7 @@ QDoubleSpinBox* PatternInspector::number(const char* name, const QString& label,
     box->setSingleStep(unit == QLatin1String("s") ? 0.01 : decimals > 1 ? 0.05 : 1.0);
     box->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
     box->setKeyboardTracking(false);
+    letShrink(box);
     m_form->addRow(label, box);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, set = std::move(set)](double value) {
         if (!m_showing)
@@ -258,6 +284,7 @@ QComboBox* PatternInspector::easingBox(const char* name) {
     box->setObjectName(QLatin1String(name));
     for (const Easing easing : kEasings)
         box->addItem(easingName(easing), static_cast<int>(easing));
+    letShrink(box);
     m_form->addRow(tr("Curve:"), box);
     return box;
 }

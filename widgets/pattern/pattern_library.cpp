@@ -37,6 +37,7 @@ constexpr QSizeF kPicture_em(3.5, 1.6);
 constexpr QSizeF kSmallPicture_em(1.3, 1.3);
 constexpr double kIndent_em = 0.9;
 constexpr double kSmallIndent_em = 0.35;
+constexpr double kMostOwn_em = 16.0; ///< people may give a pattern a long name
 constexpr double kAroundText_em = 0.75; ///< margins of the style beside picture and text
 
 } // namespace
@@ -148,6 +149,11 @@ bool PatternLibrary::fitPictures() {
         lengths = std::max(lengths, widthOf(1));
     }
     lengths += base::em(this, kAroundText_em);
+    // The longest name beside the small picture is always whole.
+    m_tree->setMinimumWidth(std::min(longest, base::em(this, kMostOwn_em)) +
+                            base::em(this, kSmallPicture_em.width() + 2.0 * kSmallIndent_em) +
+                            2 * base::em(this, kAroundText_em) +
+                            m_tree->verticalScrollBar()->sizeHint().width() + 2 * m_tree->frameWidth());
     // The viewport has its size only once it is shown.
     const int room = m_tree->contentsRect().width() - m_tree->verticalScrollBar()->sizeHint().width() -
                      longest - base::em(this, kAroundText_em);

@@ -4,6 +4,7 @@
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/numbers/tabular_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -68,7 +69,7 @@ void ForceStrip::paintEvent(QPaintEvent*) {
     painter.setFont(base::sized(font(), base::kSmallText));
     painter.setPen(text);
     painter.drawText(QRectF(0.5 * em, 0.0, 0.5 * width(), 1.4 * em), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("Force, N"));
+                     base::titleWithUnit(tr("Force"), QStringLiteral("N")));
     // The legend is next to the title.
     const double legend = width() - 0.5 * em;
     const QFontMetricsF metrics(painter.font());

@@ -14,12 +14,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStringList>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -81,6 +81,10 @@ ServoPanel::ServoPanel(QWidget* parent)
     m_changes->setWordWrap(true);
     m_planned->setObjectName(QStringLiteral("servoPlanned"));
     m_planned->setAutoDefault(false);
+    m_matrices->setObjectName(QStringLiteral("servoMatrices"));
+    m_matrices->setCheckable(true);
+    m_matrices->setArrowType(Qt::RightArrow);
+    m_matrices->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_tasks->setObjectName(QStringLiteral("servoTask"));
     m_force->setSuffix(QStringLiteral(" N"));
     m_slide->setSuffix(QStringLiteral(" mm/s"));
@@ -90,17 +94,8 @@ ServoPanel::ServoPanel(QWidget* parent)
     const int margin = base::grid(this);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(margin / 2);
-    auto* task = new QHBoxLayout;
-    task->setSpacing(margin);
     m_tasksName->setBuddy(m_tasks);
-    task->addWidget(m_tasksName);
-    task->addWidget(m_tasks, 1);
-    layout->addLayout(task);
-    layout->addWidget(m_state);
-    layout->addWidget(m_limits);
-    layout->addWidget(m_verdict);
-    layout->addWidget(m_force20s);
-    layout->addWidget(m_picture);
+    m_form->addRow(m_tasksName, m_tasks);
     for (QWidget* field : {m_force, m_slide, m_gain}) {
         auto* name = new QLabel(this);
         name->setBuddy(field);
@@ -110,6 +105,12 @@ ServoPanel::ServoPanel(QWidget* parent)
     layout->addLayout(m_form);
     layout->addWidget(m_changes);
     layout->addWidget(m_planned, 0, Qt::AlignLeft);
+    layout->addWidget(m_state);
+    layout->addWidget(m_limits);
+    layout->addWidget(m_verdict);
+    layout->addWidget(m_force20s);
+    layout->addWidget(m_picture);
+    layout->addWidget(m_matrices, 0, Qt::AlignLeft);
     layout->addWidget(m_cost);
     layout->addStretch(1);
 
@@ -123,6 +124,10 @@ ServoPanel::ServoPanel(QWidget* parent)
             wish(changed);
         });
     };
+    connect(m_matrices, &QToolButton::toggled, this, [this](bool shown) {
+        m_matrices->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+        m_picture->showMatrices(shown);
+    });
     connect(m_planned, &QPushButton::clicked, this, [this] {
         if (!m_report)
             return;
@@ -298,6 +303,7 @@ void ServoPanel::retranslate() {
     label(m_gain, tr("&Gains"), tr("All controller gains, in percent of those in the scene"));
     m_moment->setText(tr("Balance the &moment (DZMP)"));
     m_moment->setToolTip(tr("Off: the controller without the distance to the zero-moment point"));
+    m_matrices->setText(tr("Matrices"));
     m_planned->setText(tr("Reset to the scene"));
     m_planned->setToolTip(tr("Set force, speed, gains and moment back to the values of the scene"));
     showChanges();

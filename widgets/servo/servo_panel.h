@@ -4,6 +4,7 @@
 #include "backend/servo/servo_link.h"
 #include "widgets/base/controls/badge.h"
 
+#include <QToolButton>
 #include <QWidget>
 
 #include <cstddef>
@@ -66,6 +67,7 @@ private:
     QCheckBox* m_moment;
     QLabel* m_changes;
     QPushButton* m_planned; ///< back to the scene's settings
+    QToolButton* m_matrices = new QToolButton(this);
     bool m_stopEngaged = true;
     base::Provenance m_shownProvenance = base::Provenance::live;
     std::optional<ServoReport> m_report;

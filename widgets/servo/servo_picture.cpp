@@ -51,6 +51,12 @@ ServoPicture::ServoPicture(QWidget* parent)
     describe();
 }
 
+void ServoPicture::showMatrices(bool shown) {
+    m_hasMatrices = shown;
+    updateGeometry();
+    update();
+}
+
 void ServoPicture::setReport(const std::optional<ServoReport>& report) {
     m_report = report;
     update();
@@ -86,8 +92,8 @@ double ServoPicture::lineHeight() const {
 }
 
 QSize ServoPicture::minimumSizeHint() const {
-    const int matrix = base::em(this, 7.5);
-    return {base::em(this, 22), static_cast<int>(7.3 * lineHeight()) + matrix + base::em(this, 2.2)};
+    const int matrices = m_hasMatrices ? base::em(this, 9.7) : 0;
+    return {base::em(this, 22), static_cast<int>(7.3 * lineHeight()) + matrices};
 }
 
 QSize ServoPicture::sizeHint() const {
@@ -256,6 +262,8 @@ void ServoPicture::paintMatrix(QPainter& painter, const QRectF& rect, const QStr
 void ServoPicture::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintFeatures(painter);
+    if (!m_hasMatrices)
+        return;
     const double em = base::em(this, 1);
     const double top = 7.3 * lineHeight() + 0.3 * em;
     const double half = 0.5 * width();

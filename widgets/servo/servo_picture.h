@@ -20,6 +20,8 @@ public:
     explicit ServoPicture(QWidget* parent = nullptr);
 
     void setReport(const std::optional<ServoReport>& report);
+    /// Whether the matrices are below the table; at first they are not.
+    void showMatrices(bool shown);
 
     /// Texts of a row: desired, actual, error; a dash for undefined values.
     [[nodiscard]] std::array<QString, 3> featureTexts(int row) const;
@@ -56,6 +58,7 @@ private:
     void describe();
 
     std::optional<ServoReport> m_report;
+    bool m_hasMatrices = false;
 };
 
 } // namespace teleta::servo

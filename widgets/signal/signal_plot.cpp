@@ -3,6 +3,7 @@
 
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/controls/provenance_stripe.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
@@ -235,7 +236,7 @@ void SignalPlot::drawSpectra() {
         }
         fastest_Hz = std::max(fastest_Hz, spectrum.frequency_Hz.back());
     }
-    frequency->setLabel(tr("frequency (Hz)"));
+    frequency->setLabel(base::titleWithUnit(tr("frequency"), QStringLiteral("Hz")));
     const QString shown = sameUnit ? unitText(unit) : tr("units");
     size->setLabel(
         m_density ? tr("power density ((%1)\u00b2/Hz)").arg(shown.isEmpty() ? QStringLiteral("1") : shown)
@@ -489,7 +490,7 @@ void SignalPlot::restyle(const QPalette& colours) {
     m_colours = colours;
     plot::stylePlot(*m_plot, colours, font());
     m_plot->setLocale(locale());
-    m_plot->xAxis->setLabel(tr("time (s)"));
+    m_plot->xAxis->setLabel(base::titleWithUnit(tr("time"), QStringLiteral("s")));
     m_plot->xAxis->setSubTickPen(Qt::NoPen);
     m_axes.restyle(colours, font());
     const QColor accent = colours.color(QPalette::Highlight);

@@ -83,7 +83,11 @@ SessionPanel::SessionPanel(QWidget* parent)
     m_outcomes->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_outcomes->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_outcomes->setAlternatingRowColors(true);
-    m_outcomes->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_outcomes->setWordWrap(false);
+    m_outcomes->verticalHeader()->setDefaultSectionSize(base::em(this, 1.6));
+    m_outcomes->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_outcomes->horizontalHeader()->setResizeContentsPrecision(0); // what is in sight
+    m_outcomes->horizontalHeader()->setStretchLastSection(true);
     m_outcomes->setFocusPolicy(Qt::TabFocus);
     m_outcomes->hideColumn(levelColumn);
 
@@ -294,7 +298,8 @@ void SessionPanel::retranslate() {
     m_progress->setAccessibleName(tr("Progress"));
     m_outcomes->setAccessibleName(tr("Last trials"));
     m_outcomes->setHorizontalHeaderLabels(
-        {tr("Trial"), tr("Level"), tr("Presented"), tr("Answered"), tr("Outcome"), tr("Response time")});
+        {tr("Trial"), tr("Level"), tr("Presented"), tr("Answered"), tr("Outcome"), tr("Time")});
+    m_outcomes->horizontalHeaderItem(timeColumn)->setToolTip(tr("Response time"));
     m_note->setPlaceholderText(tr("A note on this session; Return saves it"));
     m_note->setAccessibleName(tr("Note"));
     m_window->setText(tr("Participant's &window"));

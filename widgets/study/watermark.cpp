@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/study/watermark.h"
 
+#include "widgets/base/controls/badge.h"
 #include "widgets/base/theme.h"
 
 #include <QCoreApplication>
@@ -18,7 +19,7 @@ struct MarkText {
 };
 
 constexpr double kTilt_deg = -24.0;
-constexpr float kOpacity = 0.16F;
+constexpr float kOpacity = 0.06F;
 
 } // namespace
 
@@ -37,6 +38,11 @@ void paintWatermark(QPainter& painter, const QRectF& rect, Mode mode, const QPal
     const QString mark = modeMark(mode);
     if (mark.isEmpty() || rect.isEmpty())
         return;
+    if (base::paintsScreen(painter)) {
+        const double stripe_px = std::max(2.0, base::kStripe * 0.5 * QFontMetricsF(painter.font()).height());
+        painter.fillRect(QRectF(rect.topLeft(), QSizeF(rect.width(), stripe_px)), modeColour(mode, palette));
+        return;
+    }
     painter.save();
     QFont font = base::bold(painter.font());
     font.setPixelSize(100);

@@ -15,7 +15,8 @@ namespace teleta::study {
 [[nodiscard]] QString modeMark(Mode mode);
 [[nodiscard]] QColor modeColour(Mode mode, const QPalette& palette);
 
-/// Paints it, large and faint, across a picture; nothing for a real run.
+/// Marks a picture that is of no real run: on the screen by a stripe along its top, in one that leaves the
+/// program by the word, large and faint, across it.
 void paintWatermark(QPainter& painter, const QRectF& rect, Mode mode, const QPalette& palette);
 
 } // namespace teleta::study

@@ -3,6 +3,7 @@
 
 #include "backend/figure/round_step.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/touch_texts.h"
 
@@ -135,9 +136,9 @@ void ContourPicture::paintAxes(QPainter& painter, const QRectF& plot, const QTra
     }
     painter.setPen(text);
     painter.drawText(QRectF(plot.right() - 6.0 * line, plot.bottom() + 1.1 * line, 6.0 * line, line),
-                     Qt::AlignRight | Qt::AlignVCenter, tr("x [mm]"));
+                     Qt::AlignRight | Qt::AlignVCenter, base::titleWithUnit(tr("x"), QStringLiteral("mm")));
     painter.drawText(QRectF(plot.left() - 4.0 * line, plot.top() - 1.2 * line, 6.0 * line, line),
-                     Qt::AlignLeft | Qt::AlignVCenter, tr("y [mm]"));
+                     Qt::AlignLeft | Qt::AlignVCenter, base::titleWithUnit(tr("y"), QStringLiteral("mm")));
 }
 
 void ContourPicture::paintShape(QPainter& painter, const QRectF& plot, const QTransform& toPlot,

@@ -73,7 +73,7 @@ PatternMapTable::PatternMapTable(QWidget* parent)
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.9));
-    // What was chosen is read before anything else; the preview has what is left.
+    // What was chosen is read before anything else; the kind is shown where there is room for all of it.
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -193,8 +193,27 @@ void PatternMapTable::showMap() {
         const QString preview = choice ? tr("%1, %2").arg(choice->task, choice->condition) : QString();
         m_table->item(row, kPreview)->setText(preview);
         m_table->item(row, kPreview)->setToolTip(preview);
+        choices->setToolTip(preview);
     }
     showRecognised();
+    showKinds();
+}
+
+void PatternMapTable::showKinds() {
+    int room = m_table->viewport()->width();
+    for (const int column : {kRecognised, kPreview})
+        room -= std::max(static_cast<QAbstractItemView*>(m_table)->sizeHintForColumn(column),
+                         m_table->horizontalHeader()->sectionSizeHint(column));
+    for (const QComboBox* box : m_boxes)
+        if (box->sizeHint().width() > room)
+            room = -1;
+    m_table->setColumnHidden(kPreview, room < 0);
+}
+
+void PatternMapTable::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    showKinds();
 }
 
 void PatternMapTable::showRecognised() {

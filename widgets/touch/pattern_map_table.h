@@ -73,6 +73,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void edit(const pattern::PatternMap& map, const QString& what);
@@ -84,6 +85,7 @@ private:
     void showMap();
     void recognise(std::optional<int> row);
     void showRecognised();
+    void showKinds();
     void retranslate();
 
     pattern::PatternMap m_map = pattern::PatternMap::defaults();

@@ -41,16 +41,6 @@ void RunSheet::showHint() {
 
 void RunSheet::restyle() {
     view()->verticalHeader()->setDefaultSectionSize(base::em(this, 1.8));
-    fitColumns({{RunSheetModel::number, QStringLiteral("888")},
-                {RunSheetModel::name, QStringLiteral("the wooden box")},
-                {RunSheetModel::time, QStringLiteral("88888.8 s")},
-                {RunSheetModel::place, QStringLiteral("\u2212888, \u2212888 mm")},
-                {RunSheetModel::touches, QStringLiteral("888")},
-                {RunSheetModel::contact, QStringLiteral("point")},
-                {RunSheetModel::force, QStringLiteral("888 mN")},
-                {RunSheetModel::stiffness, QStringLiteral("8.88 kN/m (8.88 … 8.88 kN/m)")},
-                {RunSheetModel::material, QStringLiteral("rubber sponge, DANGER")}},
-               1.2);
     SheetView::restyle();
 }
 

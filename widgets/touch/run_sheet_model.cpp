@@ -50,6 +50,20 @@ QString sourceName(base::Provenance provenance) {
     return QStringLiteral("live");
 }
 
+/// Titles stand over their cells: words at the left, numbers at the right.
+int alignmentOf(int column) {
+    switch (column) {
+    case RunSheetModel::number:
+    case RunSheetModel::time:
+    case RunSheetModel::place:
+    case RunSheetModel::touches:
+    case RunSheetModel::force:
+        return int(Qt::AlignVCenter | Qt::AlignRight);
+    default:
+        return int(Qt::AlignVCenter | Qt::AlignLeft);
+    }
+}
+
 QString noValue() {
     return QChar(0x2014);
 }
@@ -165,7 +179,11 @@ QString RunSheetModel::nameOf(std::uint64_t object) const {
 }
 
 QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole))
+    if (!index.isValid())
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return alignmentOf(index.column());
+    if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
     const FoundObject& object = this->object(index.row());
     const QLocale locale;
@@ -187,7 +205,8 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
     case contact:
         return ContactText::of(object.contact);
     case force:
-        return base::siQuantity(object.highestForce_N, QStringLiteral("N")).remove(QChar(0x2007));
+        return base::withUnit(base::threeDigits(object.highestForce_N), QStringLiteral("N"))
+            .remove(QChar(0x2007));
     case stiffness: {
         if (!object.stiffness)
             return noValue();
@@ -210,12 +229,16 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
 
 QStringList RunSheetModel::titles() const {
     return {tr("No."),     tr("Name"),  tr("Found at"),  tr("Place x, y"), tr("Touches"),
-            tr("Contact"), tr("Force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
+            tr("Contact"), tr("Highest force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
 }
 
 QVariant RunSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (role == Qt::ToolTipRole && orientation == Qt::Horizontal && section == time)
-        return tr("When its first touch was evaluated; Touches shows when it began, a moment earlier");
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole)
+        return alignmentOf(section);
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == time)
+        return tr("When its first touch began, as in Touches");
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == force)
+        return tr("The highest force of all its touches, from the torques of the joints");
     return TitledModel::headerData(section, orientation, role);
 }
 

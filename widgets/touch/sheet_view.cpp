@@ -15,12 +15,14 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::touch {
 
 namespace {
 
 constexpr double kTitle_em = 1.75;
+constexpr double kColumnGap_em = 0.8;
 
 } // namespace
 
@@ -53,6 +55,10 @@ void SheetView::start(QAbstractItemModel* model) {
     m_view->setModel(model);
     m_view->horizontalHeader()->setHighlightSections(false);
     m_view->horizontalHeader()->setStretchLastSection(true);
+    m_view->horizontalHeader()->setResizeContentsPrecision(0); // what is in sight
+    connect(model, &QAbstractItemModel::modelReset, this, &SheetView::fitColumns);
+    connect(model, &QAbstractItemModel::rowsInserted, this, &SheetView::growColumns);
+    connect(model, &QAbstractItemModel::dataChanged, this, &SheetView::growColumns);
     connect(model, &QAbstractItemModel::modelReset, this, &SheetView::showEmptiness);
     connect(model, &QAbstractItemModel::rowsInserted, this, &SheetView::showEmptiness);
     base::keepTranslated(this, &SheetView::retranslate);
@@ -74,16 +80,36 @@ void SheetView::setHint(const QString& text) {
 void SheetView::restyle() {
     layout()->setContentsMargins(0, base::em(this, kTitle_em), 0, 0);
     base::setTextColour(m_empty, palette().color(QPalette::PlaceholderText));
+    fitColumns();
     showEmptiness();
 }
 
-void SheetView::fitColumns(const std::vector<std::pair<int, QString>>& samples, double margin_em) {
-    const QFontMetrics metrics(font());
-    for (const auto& [column, sample] : samples) {
-        const QString title = m_view->model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        const int text = std::max(metrics.horizontalAdvance(sample), metrics.horizontalAdvance(title));
-        m_view->setColumnWidth(column, text + base::em(this, margin_em));
-    }
+int SheetView::fittingWidth(int column) const {
+    const QString title = m_view->model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    const int head =
+        QFontMetrics(m_view->horizontalHeader()->font()).horizontalAdvance(title) + base::em(this, 1);
+    return std::max(head, static_cast<QAbstractItemView*>(m_view)->sizeHintForColumn(column)) +
+           base::em(this, kColumnGap_em);
+}
+
+void SheetView::fitColumns() {
+    for (int column = 0; column + 1 < m_view->model()->columnCount(); ++column)
+        m_view->setColumnWidth(column, fittingWidth(column));
+}
+
+/// Once for all the changes of a moment.
+void SheetView::growColumns() {
+    if (std::exchange(m_isFitDue, true))
+        return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_isFitDue = false;
+            for (int column = 0; column + 1 < m_view->model()->columnCount(); ++column)
+                m_view->setColumnWidth(column,
+                                       std::max(m_view->columnWidth(column), fittingWidth(column)));
+        },
+        Qt::QueuedConnection);
 }
 
 void SheetView::showEmptiness() {

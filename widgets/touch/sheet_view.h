@@ -6,9 +6,6 @@
 
 #include <QWidget>
 
-#include <utility>
-#include <vector>
-
 class QAbstractItemModel;
 class QKeyEvent;
 class QLabel;
@@ -38,8 +35,9 @@ protected:
     /// Shows a model and writes the texts; the last step of a constructor.
     void start(QAbstractItemModel* model);
     void setHint(const QString& text);
-    /// Makes columns as wide as their title or a sample text, whichever is wider, plus a margin.
-    void fitColumns(const std::vector<std::pair<int, QString>>& samples, double margin_em);
+    /// Makes columns as wide as their title or their widest cell in sight, whichever is wider. While rows come
+    /// in, they only grow.
+    void fitColumns();
     void addDataActions(QMenu& menu) { m_export->addDataActions(menu); }
     [[nodiscard]] base::Provenance provenance() const { return m_provenance; }
 
@@ -57,11 +55,14 @@ protected:
 
 private:
     void showEmptiness();
+    void growColumns();
+    [[nodiscard]] int fittingWidth(int column) const;
 
     QTableView* m_view;
     QLabel* m_empty;
     base::Provenance m_provenance = base::Provenance::live;
     base::FigureExport* m_export;
+    bool m_isFitDue = false;
 };
 
 } // namespace teleta::touch

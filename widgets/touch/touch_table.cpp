@@ -95,16 +95,6 @@ void TouchTable::retranslate() {
 void TouchTable::restyle() {
     view()->verticalHeader()->setDefaultSectionSize(base::em(this, 1.6));
     view()->setIconSize(QSize(base::em(this, 1), base::em(this, 1)));
-    // The widest usual contents, so that the columns stand still while touches come in.
-    fitColumns({{TouchModel::number, QStringLiteral("88888")},
-                {TouchModel::time, QStringLiteral("88888.888 s")},
-                {TouchModel::point, QStringLiteral("\u2212888, \u2212888, \u2212888 mm")},
-                {TouchModel::distance, QStringLiteral("888 mm")},
-                {TouchModel::force, QStringLiteral("\u22128.88, \u22128.88, \u22128.88 N")},
-                {TouchModel::stiffness, QStringLiteral("      88.8 kN/m (88.8 … 88.8 kN/m)")},
-                {TouchModel::material, QStringLiteral("rubber (not certain), DANGER     ")},
-                {TouchModel::level, QStringLiteral("8")}},
-               1.8);
     SheetView::restyle();
 }
 

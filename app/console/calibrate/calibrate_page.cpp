@@ -111,17 +111,25 @@ void CalibratePage::settle(int part) {
         return;
     }
     m_parts->setCurrentRow(part);
+    const bool canSave = part == motorsPart && m_motors->canSave();
+    const QString motors = part == motorsPart ? m_motors->unsavedText() : QString();
     auto* ask = new QMessageBox(
         QMessageBox::Question, tr("Unsaved calibration"),
-        tr("%1: the calibration is not saved.", "a part of the page").arg(m_parts->item(part)->text()),
+        motors.isEmpty()
+            ? tr("%1: the calibration is not saved.", "a part of the page").arg(m_parts->item(part)->text())
+            : motors,
         QMessageBox::Discard | QMessageBox::Cancel, this);
+    if (canSave)
+        ask->addButton(QMessageBox::Save);
     ask->setObjectName(QStringLiteral("unsavedCalibration%1").arg(part));
     ask->setInformativeText(tr("Discarded values must be measured again."));
     ask->setAttribute(Qt::WA_DeleteOnClose);
-    ask->setDefaultButton(QMessageBox::Cancel);
+    ask->setDefaultButton(canSave ? QMessageBox::Save : QMessageBox::Cancel);
     connect(ask, &QMessageBox::finished, this, [this, part](int answer) {
         m_question = nullptr;
-        if (answer == QMessageBox::Discard)
+        if (answer == QMessageBox::Save)
+            m_motors->save({}, [this, part] { settle(part); });
+        else if (answer == QMessageBox::Discard)
             settle(part + 1);
     });
     m_question = ask;

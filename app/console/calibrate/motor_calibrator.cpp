@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace teleta::console {
 
@@ -83,7 +84,8 @@ MotorCalibrator::~MotorCalibrator() {
 void MotorCalibrator::onSession() {
     cancel();
     m_failed = false;
-    m_view->setCalibration(m_station.calibration());
+    m_saved = m_station.calibration();
+    m_view->setCalibration(m_saved);
     tick();
 }
 
@@ -242,18 +244,49 @@ void MotorCalibrator::load(const QString& path) {
         });
 }
 
-void MotorCalibrator::save(const QString& copyPath) {
+bool MotorCalibrator::canSave() const {
+    return !m_view->calibration().bracelet.empty();
+}
+
+QString MotorCalibrator::unsavedText() const {
+    const auto& motors = m_view->calibration().motors;
+    QStringList numbers;
+    bool areMeasured = true;
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+        if (motors[i] == m_saved.motors[i])
+            continue;
+        numbers << QString::number(i + 1);
+        areMeasured = areMeasured && motors[i].measured();
+    }
+    if (numbers.isEmpty())
+        return {};
+    const QString list = numbers.join(QStringLiteral(", "));
+    if (areMeasured)
+        return numbers.size() == 1 ? tr("Motor %1 was measured and is not saved.").arg(list)
+                                   : tr("Motors %1 were measured and are not saved.", "1, 2").arg(list);
+    return numbers.size() == 1 ? tr("Motor %1 was changed and is not saved.").arg(list)
+                               : tr("Motors %1 were changed and are not saved.", "1, 2").arg(list);
+}
+
+void MotorCalibrator::save(const QString& copyPath, std::function<void()> done) {
     const motors::MotorCalibration calibration = m_view->calibration();
     const QString path =
         copyPath.isEmpty() ? QString::fromStdString(motors::profilePath(calibration.bracelet)) : copyPath;
     base::runInBackground(
         this, [calibration, path] { return motors::writeMotors(calibration, path.toStdString()); },
-        [this, calibration, path, copy = !copyPath.isEmpty()](core::Expected<void> written) {
-            if (!written)
+        [this, calibration, path, copy = !copyPath.isEmpty(),
+         done = std::move(done)](core::Expected<void> written) {
+            if (!written) {
                 report(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
                        written.error());
-            else if (!copy && calibration == m_view->calibration())
+                return;
+            }
+            if (!copy && calibration.bracelet == m_saved.bracelet)
+                m_saved = calibration;
+            if (!copy && calibration == m_view->calibration())
                 m_view->markSaved();
+            if (done)
+                done();
         });
 }
 

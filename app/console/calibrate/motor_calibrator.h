@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -42,8 +43,13 @@ public:
     void openRecording(std::size_t motor, const QString& path);
     /// Reads a profile, which replaces the present one.
     void load(const QString& path);
-    /// Saves the profile for the bracelet; with a path, saves a copy there instead.
-    void save(const QString& copyPath = {});
+    /// Saves the profile for the bracelet; with a path, saves a copy there instead. done: called once it is
+    /// saved, and not after a failure.
+    void save(const QString& copyPath = {}, std::function<void()> done = {});
+    /// Whether there is a bracelet to save for.
+    [[nodiscard]] bool canSave() const;
+    /// Which motors have values that are not saved; empty: none.
+    [[nodiscard]] QString unsavedText() const;
 
 signals:
     void trouble(const QString& what, const QString& details);
@@ -72,6 +78,7 @@ private:
 
     BraceletService& m_station;
     calibrate::MotorsView* m_view;
+    motors::MotorCalibration m_saved;   ///< as in the bracelet's profile
     std::vector<std::size_t> m_waiting; ///< motors still to be measured, the next one last
     std::size_t m_asked = 0;            ///< how many were to be measured
     std::optional<std::size_t> m_measuring;

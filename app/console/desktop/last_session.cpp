@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/desktop/last_session.h"
 
+#include "app/common/scene_file.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -37,7 +39,7 @@ QString entryOf(const OpenSource& source) {
     if (!source.list.isEmpty())
         return entry(Entry::Kind::list, source.list);
     if (const auto* scene = std::get_if<app::SceneRequest>(&source.request))
-        return entry(Entry::Kind::scene, QString::fromStdString(scene->path));
+        return entry(Entry::Kind::scene, QString::fromStdString(app::scenePlace(scene->path)));
     if (const auto* recording = std::get_if<app::RecordingRequest>(&source.request))
         return entry(Entry::Kind::recording, QString::fromStdString(recording->path));
     if (const auto* csv = std::get_if<app::CsvRequest>(&source.request))

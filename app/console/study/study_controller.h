@@ -99,6 +99,8 @@ public:
     [[nodiscard]] const std::optional<core::Error>& storeError() const { return m_storeError; }
     [[nodiscard]] bool noiseConfirmed() const { return m_noiseConfirmed; }
     [[nodiscard]] bool isBusy() const { return m_busy > 0; }
+    /// STOP is engaged: nothing goes on.
+    [[nodiscard]] bool isStopped() const { return m_stop.engaged(); }
     /// A session is under way, or a questionnaire before or after it.
     [[nodiscard]] bool isActive() const {
         return m_runner.isActive() || m_questionnaires.current() != nullptr;

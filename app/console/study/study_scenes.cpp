@@ -395,8 +395,6 @@ void StudyScenes::describeRunning(const StudyController& controller, study::Sess
                 : tr("The stimulus was interrupted: %1. The trial will be shown again.").arg(runner.reason());
         if (!obstacle.isEmpty())
             scene.state += QLatin1Char('\n') + obstacle;
-        if (stopped && !obstacle.isEmpty())
-            scene.state += QLatin1Char(' ') + tr("Hold the STOP button for a second to release it.");
         scene.tone = Tone::alarm;
         break;
     }
@@ -426,6 +424,11 @@ void StudyScenes::describeRunning(const StudyController& controller, study::Sess
         scene.next = simulated ? tr("The simulated participant is working")
                                : tr("The participant continues with Space");
         break;
+    }
+    // Also without a bracelet, whose obstacle would say so.
+    if (step == NextStep::goOn && controller.isStopped()) {
+        scene.nextEnabled = false;
+        scene.state += QLatin1Char(' ') + tr("Hold the STOP button for a second to release it.");
     }
     if (step == NextStep::stopRehearsal)
         scene.next = tr("Halt the rehearsal");

@@ -82,8 +82,8 @@ const FoundObject* FoundObjects::add(const TouchRecord& touch) {
     if (open == nullptr) {
         FoundObject object;
         object.number = m_objects.size() + 1;
-        object.first_ns = touch.ready_ns;
-        object.first_s = touch.ready_s;
+        object.first_ns = touch.start_ns;
+        object.first_s = touch.start_s;
         m_objects.push_back(std::move(object));
         m_open.push_back({m_objects.size() - 1, std::move(probe), {}});
         open = &m_open.back();

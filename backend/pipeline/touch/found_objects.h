@@ -16,7 +16,7 @@ namespace teleta::pipeline {
 /// What the touches so far tell of one object.
 struct FoundObject {
     std::uint64_t number = 0;  ///< from 1, in the order in which they were found
-    std::int64_t first_ns = 0; ///< when its first touch was evaluated, steady time
+    std::int64_t first_ns = 0; ///< when its first touch began, steady time
     double first_s = 0.0;      ///< the same in the arm's own time
     std::size_t touches = 0;
     Eigen::Vector3d p_Base_Centre_m = Eigen::Vector3d::Zero(); ///< mean of the contact points

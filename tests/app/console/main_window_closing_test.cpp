@@ -3,6 +3,7 @@
 #include "app/console/main_window.h"
 #include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/study_page.h"
+#include "backend/motors/motor_file.h"
 #include "backend/study/store/study_store.h"
 #include "tests/app/console/study/study_bench.h"
 #include "widgets/base/theme.h"
@@ -15,6 +16,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QStandardPaths>
 #include <QTest>
 
 #include <memory>
@@ -175,6 +177,34 @@ private slots:
         QVERIFY(m_window->isVisible());
         choose("unsavedCalibration1", QMessageBox::DestructiveRole);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+    }
+
+    void aMeasuredMotorIsSavedByTheFirstAnswer() {
+        QStandardPaths::setTestModeEnabled(true);
+        const QString profile = QString::fromStdString(motors::profilePath("simulated"));
+        QFile::remove(profile);
+        ConsoleOptions options;
+        options.bracelet = QStringLiteral("simulated");
+        openWindow(options);
+        auto& view = m_window->calibratePage().motors().view();
+        QTRY_VERIFY_WITH_TIMEOUT(!view.calibration().bracelet.empty(), kPatience_ms);
+        motors::MotorCalibration measured = view.calibration();
+        measured.motors[0].profile.startDrive = 0.21;
+        measured.motors[0].startFrom = measured.motors[0].lagFrom =
+            motors::CalibratedMotor::Origin::recording;
+        view.takeProfile(measured);
+        QVERIFY(!view.isSaved());
+        QVERIFY(!m_window->close());
+        QMessageBox* ask = question("unsavedCalibration0");
+        QCOMPARE(ask->text(), QString("Motor 1 was measured and is not saved."));
+        QCOMPARE(ask->defaultButton(), ask->button(QMessageBox::Save));
+        QTest::keyClick(ask, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+        m_window.reset();
+        const auto kept = motors::readMotors(profile.toStdString());
+        QVERIFY(kept.has_value());
+        QCOMPARE(kept->motors[0].profile.startDrive, 0.21);
+        QFile::remove(profile);
     }
 
     void gainsThatAreNotSavedAreAskedAbout() {

@@ -6,10 +6,12 @@
 #include "app/console/study/study_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/start/demo_card.h"
 #include "widgets/chrome/start/first_steps.h"
 #include "widgets/chrome/start/recent_list.h"
 #include "widgets/chrome/stop_banner.h"
+#include "widgets/chrome/stop_button.h"
 #include "widgets/pattern/document/pattern_document.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/pattern/timeline/timeline_view.h"
@@ -26,6 +28,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -147,6 +150,55 @@ private slots:
         openAgain();
         QVERIFY(startButtons("reopenSession").isEmpty());
         QVERIFY(m_window->sources().items().empty());
+    }
+
+    void stopIsOnTheScreenWhateverTheWindowWasBefore_data() {
+        QTest::addColumn<QSize>("asked");
+        QTest::newRow("as it was left") << QSize();
+        QTest::newRow("as large as the screen") << QGuiApplication::primaryScreen()->size();
+        QTest::newRow("larger") << QGuiApplication::primaryScreen()->size() + QSize(300, 200);
+    }
+    void stopIsOnTheScreenWhateverTheWindowWasBefore() {
+        QFETCH(QSize, asked);
+        openWindow();
+        const QRect room = m_window->screen()->availableGeometry();
+        m_window->move(room.topLeft() + QPoint(60, 40));
+        m_window->resize(room.size());
+        QTRY_COMPARE(m_window->size(), room.size());
+        m_settings = std::make_unique<ConsoleSettings>(false);
+        m_settings->setGeometry(m_window->saveGeometry());
+        ConsoleOptions options;
+        options.size = asked;
+        openWindow(options, false);
+        const auto* stop = m_window->findChild<chrome::StopButton*>();
+        const auto isWhole = [stop, room] {
+            return room.contains(QRect(stop->mapToGlobal(QPoint()), stop->size()));
+        };
+        QTRY_VERIFY(isWhole());
+        QVERIFY(room.contains(m_window->geometry()));
+    }
+
+    /// STOP had the keys: it was pressed and released by the mouse.
+    void afterStopSpaceIsForThePageAgain() {
+        openAgain();
+        auto* stop = m_window->findChild<chrome::StopButton*>();
+        QTest::mouseClick(stop, Qt::LeftButton);
+        QVERIFY(m_stop->engaged());
+        QTest::mousePress(stop, Qt::LeftButton);
+        QTRY_VERIFY(!m_stop->engaged());
+        QTest::mouseRelease(stop, Qt::LeftButton);
+        QVERIFY(!stop->hasFocus());
+        // A page that is chosen by the mouse takes the keys as well.
+        stop->setFocus();
+        const auto rail = m_window->findChild<chrome::PageRail*>()->findChildren<QToolButton*>();
+        QTest::mouseClick(rail.at(1), Qt::LeftButton);
+        QTRY_VERIFY(m_window->patternsPage().isVisible());
+        auto* timeline = m_window->patternsPage().editor().timeline();
+        QCOMPARE(QApplication::focusWidget(), timeline);
+        QTRY_VERIFY(m_window->bracelet().isReady());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(!m_stop->engaged());
+        QTRY_VERIFY(m_window->bracelet().playingPosition_s().has_value());
     }
 
     void aFileThatIsNotMcapIsReportedAndNotImported() {

@@ -121,6 +121,27 @@ private slots:
         QCOMPARE(strip.shownText(2), strip.text(2));
     }
 
+    void aNameIsWholeAsLongAsAnyWordIsThere() {
+        DeviceStrip strip;
+        DeviceReading arm = live("teleoperation");
+        arm.provenance = Provenance::simulated;
+        DeviceReading bracelet = live("Bracelet");
+        bracelet.provenance = Provenance::simulated;
+        strip.show();
+        strip.setReadings({arm, bracelet});
+        QVERIFY2(!strip.text(0).contains("lost"), "nothing is");
+        const int whole = strip.sizeHint().width();
+        strip.resize(whole - 1, strip.height());
+        int least = whole;
+        while (least > 0 && strip.shownText(0).contains("teleoperation"))
+            strip.resize(--least, strip.height());
+        // The names and what stands before them without a word: glyph and margins.
+        const int names = strip.fontMetrics().horizontalAdvance("teleoperation") +
+                          strip.fontMetrics().horizontalAdvance("Bracelet");
+        QVERIFY2(least < names + 12 * strip.fontMetrics().height() / 2,
+                 qPrintable(QStringLiteral("%1 for %2").arg(least).arg(names)));
+    }
+
     void whatIsLostIsToldLongerThanTheName() {
         DeviceStrip strip;
         DeviceReading camera = live("a camera with a long name");

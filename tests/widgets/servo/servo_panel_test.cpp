@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QToolTip>
 #include <QTranslator>
 
@@ -136,6 +137,25 @@ private slots:
         QVERIFY(!changes->isVisible() && !planned->isVisible());
         QCOMPARE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("servoForce"))->value(), 5.0);
         QVERIFY(moment->isChecked());
+    }
+
+    void controlsStandAboveTheReadingsAndMatricesAreOpenedByTheirButton() {
+        ServoPanel panel;
+        panel.show();
+        panel.setReport(exploring());
+        panel.resize(panel.sizeHint());
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto* picture = panel.findChild<ServoPicture*>();
+        const auto* cost = panel.findChild<QLabel*>(QStringLiteral("servoCost"));
+        for (const char* field : {"servoForce", "servoSlide", "servoGain", "servoMoment"})
+            QVERIFY2(panel.findChild<QWidget*>(QLatin1String(field))->y() < picture->y(), field);
+        const int closed = picture->minimumSizeHint().height();
+        QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("servoMatrices")), Qt::LeftButton);
+        QVERIFY(picture->minimumSizeHint().height() > closed + 6 * panel.fontMetrics().height());
+        QTRY_VERIFY(picture->height() >= picture->minimumSizeHint().height());
+        QVERIFY(cost->isVisible());
+        QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("servoMatrices")), Qt::LeftButton);
+        QCOMPARE(picture->minimumSizeHint().height(), closed);
     }
 
     void taskContactAndLimitsAreNamed() {

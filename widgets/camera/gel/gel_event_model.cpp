@@ -3,6 +3,7 @@
 
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/theme.h"
 
 #include <QFont>
@@ -20,10 +21,10 @@ namespace {
 using pipeline::GelEvent;
 using Kind = GelEvent::Kind;
 
-/// A cell with a length in mm; empty when it is not known.
+/// A cell with a length in mm, as the title says; empty when it is not known.
 QVariant lengthCell(const GelEvent& happened, double length_m) {
     return happened.contact > 0 && std::isfinite(length_m)
-               ? QVariant(base::withUnit(base::threeDigits(1e3 * length_m), QStringLiteral("mm")))
+               ? QVariant(base::threeDigits(1e3 * length_m).trimmed())
                : QVariant();
 }
 
@@ -68,8 +69,7 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
     const bool slips = happened.kind == Kind::slip;
     const bool begins = happened.kind == Kind::incipientSlip;
     if (role == Qt::TextAlignmentRole)
-        return QVariant(index.column() == event ? Qt::AlignLeft | Qt::AlignVCenter
-                                                : Qt::AlignRight | Qt::AlignVCenter);
+        return alignmentOf(index.column());
     const base::StatusColours& colours = base::statusColours(QGuiApplication::palette());
     if (role == Qt::ForegroundRole && (slips || begins))
         return slips ? colours.lost : colours.stale;
@@ -79,7 +79,7 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
         return {};
     switch (index.column()) {
     case time:
-        return base::withUnit(base::fixedDigits(happened.time_s, 3), QStringLiteral("s"));
+        return base::fixedDigits(happened.time_s, 3);
     case event: {
         static constexpr std::array kTexts{
             QT_TR_NOOP("touched"),         QT_TR_NOOP("incipient slip"), QT_TR_NOOP("SLIP"),
@@ -103,7 +103,15 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
 }
 
 QStringList GelEventModel::titles() const {
-    return {tr("Time"), tr("Event"), tr("Contact"), tr("x"), tr("y"), tr("Shear"), tr("Slip index")};
+    static_assert(event == kEventColumn);
+    const QString mm = QStringLiteral("mm");
+    return {base::titleWithUnit(tr("Time"), QStringLiteral("s")),
+            tr("Event"),
+            tr("Contact"),
+            base::titleWithUnit(tr("x"), mm),
+            base::titleWithUnit(tr("y"), mm),
+            base::titleWithUnit(tr("Shear"), mm),
+            tr("Slip index")};
 }
 
 } // namespace teleta::camera

@@ -94,15 +94,12 @@ void ParticipantWindow::setScene(const ParticipantScene& scene) {
         return;
     const bool wasQuestionnaire = m_scene.state == State::questionnaire;
     const bool wasLocked = m_scene.questionnaireLocked;
-    const bool newGround =
-        scene.mode != m_scene.mode || (scene.state == State::stopped) != (m_scene.state == State::stopped);
+    const bool newGround = (scene.state == State::stopped) != (m_scene.state == State::stopped);
     m_scene = scene;
     refresh();
     // The parts of the window detect changes themselves.
-    if (newGround) {
-        m_watermark.forget();
+    if (newGround)
         update();
-    }
     if (m_scene.state == State::questionnaire && !wasQuestionnaire) {
         // Key releases would go to the questionnaire.
         releaseAll();
@@ -220,10 +217,6 @@ void ParticipantWindow::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(base::mixed(palette().color(QPalette::Window), stop, 0.15));
         painter.drawRect(rect());
     }
-    if (!modeMark(m_scene.mode).isEmpty())
-        m_watermark.draw(painter, rect(), *this, [this](QPainter& to, const QRectF& rect) {
-            paintWatermark(to, rect, m_scene.mode, palette());
-        });
 }
 
 bool ParticipantWindow::event(QEvent* event) {
@@ -374,7 +367,6 @@ void ParticipantWindow::closeEvent(QCloseEvent* event) {
 void ParticipantWindow::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange) {
-        m_watermark.forget();
         update();
         refresh();
     }

@@ -4,7 +4,6 @@
 #include "backend/study/protocol/protocol.h"
 #include "backend/study/protocol/questionnaire.h"
 #include "backend/study/session/session.h"
-#include "widgets/base/figure/kept_picture.h"
 #include "widgets/study/participant/answer_keys.h"
 #include "widgets/study/participant/event_clock.h"
 #include "widgets/study/participant/participant_scene.h"
@@ -88,7 +87,6 @@ private:
     EventClock m_eventClock;
     std::vector<AnswerChoice> m_choices;
     ParticipantScene m_scene;
-    base::KeptPicture m_watermark; ///< of the scene's mode
     QLabel* m_title = new QLabel(this);
     QLabel* m_instruction = new QLabel(this);
     QGridLayout* m_grid = new QGridLayout;

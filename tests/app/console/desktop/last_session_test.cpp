@@ -45,6 +45,15 @@ private slots:
                  QStringList{"scene:" + QDir::current().absoluteFilePath("mine.toml")});
     }
 
+    void aSceneThatComesWithTheProgramIsFoundAgainByItsName() {
+        const QStringList kept = last_session::entriesOf({{app::SceneRequest{"vtacarm-multicontact"}}});
+        QCOMPARE(kept, QStringList{"scene::/scenes/vtacarm-multicontact.toml"});
+        const auto entries = last_session::entriesFrom(kept);
+        QCOMPARE(entries.size(), std::size_t(1));
+        QCOMPARE(entries[0].kind, Entry::Kind::scene);
+        QCOMPARE(entries[0].path, ":/scenes/vtacarm-multicontact.toml");
+    }
+
     void whatIsGoneOrNotUnderstoodIsLeftOut() {
         QTemporaryDir folder;
         const QString there = folder.filePath("run.teleta");

@@ -254,6 +254,27 @@ private slots:
         doTrial();
     }
 
+    void aRehearsalWithoutABraceletGoesOnOnlyWhenStopIsReleased() {
+        openPage();
+        controller().setSpeed(10.0);
+        controller().create(studyFolder().toStdString(), head(study::Mode::simulated, 0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value() && nextButton()->isEnabled(),
+                                 kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        m_stop->engage();
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::stopped, kPatience_ms);
+        QTRY_VERIFY(sessionPanel().scene().state.contains(QStringLiteral("Hold the STOP button")));
+        QVERIFY(controller().output().obstacle().isEmpty());
+        QVERIFY(nextButton()->text().contains(QStringLiteral("Go on after STOP")));
+        QVERIFY(!nextButton()->isEnabled());
+        m_stop->release();
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
+        QVERIFY(!sessionPanel().scene().state.contains(QStringLiteral("Hold the STOP button")));
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::none, kPatience_ms);
+    }
+
     void anAbortIsAskedForAndTheSessionGoesOnAfterTheProgramWasStartedAgain() {
         openStudy();
         beginSession();

@@ -8,6 +8,7 @@
 #include "widgets/study/results/page/comparisons_view.h"
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
+#include "widgets/study/watermark.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
@@ -63,9 +64,12 @@ ResultsView::ResultsView(QWidget* parent)
     for (QComboBox* box : {m_task, m_counts})
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_state->setWordWrap(true);
+    m_mark->setObjectName(QStringLiteral("modeMark"));
+    m_mark->setFont(base::bold(font()));
     auto* bar = new QHBoxLayout;
     base::addWidgets(bar, {m_task, m_who, m_beside, m_counts});
     bar->addWidget(m_state, 1);
+    bar->addWidget(m_mark);
     bar->addWidget(m_export);
     auto* charts = new QHBoxLayout;
     charts->addWidget(m_accuracy, 3);
@@ -116,10 +120,12 @@ ResultsView::ResultsView(QWidget* parent)
     connect(m_bracelet, &BraceletView::useRequested, this, &ResultsView::useRequested);
     m_content->hide();
     base::keepTranslated(this, &ResultsView::retranslate);
+    base::onChange(this, &ResultsView::showMark, {QEvent::PaletteChange});
 }
 
 void ResultsView::setScene(ResultsScene scene) {
     m_scene = std::move(scene);
+    showMark();
     fillChoices();
     refresh();
 }
@@ -286,7 +292,13 @@ void ResultsView::showTables(const TaskResults& results) {
     m_anovaNote->setText(ResultsContent::anovaNote(results));
 }
 
+void ResultsView::showMark() {
+    m_mark->setText(modeMark(m_scene.mode));
+    base::setTextColour(m_mark, modeColour(m_scene.mode, palette()));
+}
+
 void ResultsView::retranslate() {
+    showMark();
     m_task->setAccessibleName(tr("Task"));
     m_who->setAccessibleName(tr("Participants shown"));
     m_who->setToolTip(tr("Tick one participant, or a group"));

@@ -71,6 +71,7 @@ signals:
 
 private:
     void retranslate();
+    void showMark();
     void fillChoices();
     void refresh();
     void showMatrices(const TaskResults& task);
@@ -91,6 +92,7 @@ private:
     QComboBox* m_counts = base::named<QComboBox>("resultCounts", this);
     QPushButton* m_export = base::named<QPushButton>("resultExport", this);
     QLabel* m_state = new QLabel(this);
+    QLabel* m_mark = new QLabel(this); ///< of a pilot or a simulated study
     QWidget* m_content = new QWidget(this);
     QTabWidget* m_tabs = base::named<QTabWidget>("resultTabs", this);
     FigurePage* m_thresholds = new FigurePage(QStringLiteral("thresholds"), this);
