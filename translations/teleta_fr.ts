@@ -2626,10 +2626,6 @@
         <translation>ADRESSE</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
-        <translation>Ouvrir un bras sur ROS 2, décrit dans un fichier (TOML ; répétable).</translation>
-    </message>
-    <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
 
 Examples:
@@ -2658,6 +2654,10 @@ Exemples&#xa0;:
     <message>
         <source>Connect to a site where teleta-site runs, by its file (TOML; repeatable).</source>
         <translation>Se connecter à un site où tourne teleta-site, par son fichier (TOML ; répétable).</translation>
+    </message>
+    <message>
+        <source>Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; repeatable).</source>
+        <translation>Ouvrir un bras par ROS 2, ou les articulations qu’indique un appareil Modbus, décrits dans un fichier (TOML&#xa0;; répétable).</translation>
     </message>
 </context>
 <context>
@@ -2845,11 +2845,11 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished">x</translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished">y</translation>
+        <translation>y</translation>
     </message>
 </context>
 <context>
@@ -3672,12 +3672,12 @@ Exemples&#xa0;:
         <translation>une clé «&#xa0;source&#xa0;»</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; or &quot;marker_gel&quot;</source>
-        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; ou &quot;marker_gel&quot;</translation>
-    </message>
-    <message>
         <source>Flat gel with markers</source>
         <translation>Gel plat à marqueurs</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; or &quot;ros_camera&quot;</source>
+        <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; ou &quot;ros_camera&quot;</translation>
     </message>
 </context>
 <context>
@@ -6220,6 +6220,37 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>MeshFile</name>
+    <message>
+        <source>the arm&apos;s file names no folder of meshes</source>
+        <translation>le fichier du bras ne nomme aucun dossier de maillages</translation>
+    </message>
+    <message>
+        <source>mesh_path = &quot;FOLDER&quot;</source>
+        <translation>mesh_path = &quot;DOSSIER&quot;</translation>
+    </message>
+    <message>
+        <source>the mesh %1 is not in the folder of the arm&apos;s meshes</source>
+        <translation>le maillage %1 n’est pas dans le dossier des maillages du bras</translation>
+    </message>
+    <message>
+        <source>the mesh is missing</source>
+        <translation>le maillage manque</translation>
+    </message>
+    <message>
+        <source>meshes are read from STL, DAE and OBJ files</source>
+        <translation>les maillages sont lus dans des fichiers STL, DAE et OBJ</translation>
+    </message>
+    <message>
+        <source>the mesh is larger than %1 MB</source>
+        <translation>le maillage dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>the mesh cannot be read: %1</source>
+        <translation>le maillage ne peut pas être lu&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>Modbus</name>
     <message>
         <source>%1 cannot be opened: %2</source>
@@ -6300,6 +6331,10 @@ Exemples&#xa0;:
     <message>
         <source>tables [[joint]] in its file</source>
         <translation>des tables [[joint]] dans son fichier</translation>
+    </message>
+    <message>
+        <source>this arm only tells its joints, it cannot be moved</source>
+        <translation>ce bras ne fait qu’indiquer ses articulations, il ne peut pas être déplacé</translation>
     </message>
 </context>
 <context>
@@ -8023,6 +8058,10 @@ Run %2 --help for more.
         <source>RECORDED SIMULATION</source>
         <translation>SIMULATION ENREGISTRÉE</translation>
     </message>
+    <message>
+        <source>UNGUARDED</source>
+        <translation>SANS GARDE</translation>
+    </message>
 </context>
 <context>
     <name>PseudonymKey</name>
@@ -8113,6 +8152,10 @@ Run %2 --help for more.
     <message>
         <source>the recording has no frames of an array, an arm or a camera</source>
         <translation>l’enregistrement n’a ni trames de matrice, ni articulations de bras, ni images de caméra</translation>
+    </message>
+    <message>
+        <source>it is not a picture in colour</source>
+        <translation>ce n’est pas une image en couleur</translation>
     </message>
 </context>
 <context>
@@ -8352,6 +8395,13 @@ Run %2 --help for more.
     <message>
         <source>no line to the driver can be opened: %1</source>
         <translation>aucune ligne vers le pilote ne peut être ouverte&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteCameraText</name>
+    <message>
+        <source>a picture is no JPEG, or was cut off (%1 bytes)</source>
+        <translation>une image n’est pas du JPEG, ou a été tronquée (%1 octets)</translation>
     </message>
 </context>
 <context>
@@ -9103,6 +9153,13 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RobotShape</name>
+    <message>
+        <source>the arm&apos;s meshes have more than %1 triangles</source>
+        <translation>les maillages du bras ont plus de %1 triangles</translation>
+    </message>
+</context>
+<context>
     <name>RosArm</name>
     <message>
         <source>the arm cannot be moved: %1</source>
@@ -9251,6 +9308,10 @@ Run %2 --help for more.
         <source>; force_stop_N is %1</source>
         <translation>&#xa0;; force_stop_N vaut %1</translation>
     </message>
+    <message>
+        <source>UNGUARDED: %1 keeps its last command when this program ends or the network is cut</source>
+        <translation>SANS GARDE&#xa0;: %1 garde son dernier ordre quand ce programme s’arrête ou que le réseau est coupé</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheckReport</name>
@@ -9288,10 +9349,6 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>no available adapter moves an arm unguarded</source>
-        <translation>aucun adaptateur proposé ne bouge un bras sans protection</translation>
-    </message>
-    <message>
         <source>two joints have the ROS name &quot;%1&quot;</source>
         <translation>deux articulations s’appellent «&#xa0;%1&#xa0;» sur le réseau</translation>
     </message>
@@ -9322,6 +9379,18 @@ Run %2 --help for more.
     <message>
         <source>the file of a force sensor, kind = &quot;ros_wrench&quot;</source>
         <translation>le fichier d’un capteur de force, kind = &quot;ros_wrench&quot;</translation>
+    </message>
+    <message>
+        <source>the robot ends a motion of this adapter itself</source>
+        <translation>le robot termine lui-même un mouvement de cet adaptateur</translation>
+    </message>
+    <message>
+        <source>nothing at the robot ends a motion of this adapter when this program ends or the network is cut</source>
+        <translation>rien, du côté du robot, ne termine un mouvement de cet adaptateur quand ce programme s’arrête ou que le réseau est coupé</translation>
+    </message>
+    <message>
+        <source>another adapter, or unguarded = true</source>
+        <translation>un autre adaptateur, ou unguarded = true</translation>
     </message>
 </context>
 <context>
@@ -9466,6 +9535,13 @@ Run %2 --help for more.
     <message>
         <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
         <translation>Fichier qui décrit le bras (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+</context>
+<context>
+    <name>RosProbeText</name>
+    <message>
+        <source>nothing came on the topic</source>
+        <translation>rien n’est venu sur le topic</translation>
     </message>
 </context>
 <context>
@@ -10310,8 +10386,12 @@ Run %2 --help for more.
         <translation>un id unique pour chaque appareil</translation>
     </message>
     <message>
-        <source>file, wts, taxels or scene</source>
-        <translation>file, wts, taxels ou scene</translation>
+        <source>the file of an arm, an array or a camera over ROS 2</source>
+        <translation>le fichier d’un bras, d’une matrice ou d’une caméra par ROS 2</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels, scene or scene_camera</source>
+        <translation>file, wts, taxels, scene ou scene_camera</translation>
     </message>
 </context>
 <context>
@@ -15414,14 +15494,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>%1 (%2)</source>
         <comment>a title and its unit</comment>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1
 (%2)</source>
         <comment>a title above its unit</comment>
-        <translation type="unfinished">%1 (%2) {1
-?} {2)?}</translation>
+        <translation>%1
+(%2)</translation>
     </message>
 </context>
 <context>
@@ -16306,15 +16386,15 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>drive</source>
-        <translation type="unfinished"></translation>
+        <translation>commande</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>vitesse</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>temps</translation>
     </message>
 </context>
 <context>
@@ -16375,37 +16455,37 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>measured, by feel</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>mesuré, au ressenti</translation>
     </message>
     <message>
         <source>partly by feel</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>en partie au ressenti</translation>
     </message>
     <message>
         <source>partly measured</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>en partie mesuré</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Démarrage</translation>
     </message>
     <message>
         <source>Full</source>
-        <translation type="unfinished"></translation>
+        <translation>Plein</translation>
     </message>
     <message>
         <source>Rise</source>
-        <translation type="unfinished"></translation>
+        <translation>Montée</translation>
     </message>
     <message>
         <source>Fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Descente</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">Vitesse</translation>
+        <translation>Vitesse</translation>
     </message>
 </context>
 <context>
@@ -16862,12 +16942,12 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Along</source>
         <comment>the tube</comment>
-        <translation type="unfinished"></translation>
+        <translation>Long.</translation>
     </message>
     <message>
         <source>Around</source>
         <comment>the tube</comment>
-        <translation type="unfinished"></translation>
+        <translation>Tour</translation>
     </message>
 </context>
 <context>
@@ -17082,19 +17162,19 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Point</translation>
     </message>
     <message>
         <source>Image</source>
-        <translation type="unfinished"></translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface</translation>
     </message>
 </context>
 <context>
@@ -17475,17 +17555,17 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>rec</source>
         <comment>recorded, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>enr</translation>
     </message>
     <message>
         <source>rec sim</source>
         <comment>a recorded simulation, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>enr sim</translation>
     </message>
     <message>
         <source>sim</source>
         <comment>simulated, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>sim</translation>
     </message>
 </context>
 <context>
@@ -18821,8 +18901,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Enregistrer les temps…</translation>
     </message>
     <message>
-        <source>Save when each touch was read, evaluated, sent and felt, as a table (CSV)</source>
-        <translation>Enregistrer quand chaque toucher a été lu, évalué, envoyé et senti, dans un tableau (CSV)</translation>
+        <source>Arrived at the console: %1 later</source>
+        <translation>Arrivé à la console&#xa0;: %1 plus tard</translation>
+    </message>
+    <message>
+        <source>Save when each touch was read, arrived from a site, was evaluated, sent and felt, as a table (CSV)</source>
+        <translation>Enregistrer en tableau (CSV) quand chaque contact a été lu, est arrivé d’un site, a été évalué, envoyé et ressenti</translation>
     </message>
 </context>
 <context>
@@ -19083,6 +19167,13 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>&amp;Motors:</source>
         <translation>&amp;Moteurs&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::JointViews</name>
+    <message>
+        <source>The arm is drawn without its meshes: %1</source>
+        <translation>Le bras est dessiné sans ses maillages&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -19871,10 +19962,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ouvrir un bras</translation>
     </message>
     <message>
-        <source>Arms over ROS 2 (*.toml)</source>
-        <translation>Bras sur ROS 2 (*.toml)</translation>
-    </message>
-    <message>
         <source>&amp;Open arm…</source>
         <translation>&amp;Ouvrir un bras…</translation>
     </message>
@@ -19925,6 +20012,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>What accuracy costs in time on this machine, and the setting that the camera uses</source>
         <translation>Ce que la précision coûte en temps sur cette machine, et le réglage que la caméra utilise</translation>
+    </message>
+    <message>
+        <source>Arms (*.toml)</source>
+        <translation>Bras (*.toml)</translation>
     </message>
 </context>
 <context>
@@ -20009,21 +20100,21 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Motor %1 was measured and is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le moteur %1 a été mesuré et n’est pas enregistré.</translation>
     </message>
     <message>
         <source>Motors %1 were measured and are not saved.</source>
         <comment>1, 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>Les moteurs %1 ont été mesurés et ne sont pas enregistrés.</translation>
     </message>
     <message>
         <source>Motor %1 was changed and is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le moteur %1 a été modifié et n’est pas enregistré.</translation>
     </message>
     <message>
         <source>Motors %1 were changed and are not saved.</source>
         <comment>1, 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>Les moteurs %1 ont été modifiés et ne sont pas enregistrés.</translation>
     </message>
 </context>
 <context>
@@ -20289,6 +20380,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1&#xa0;: articulations</translation>
+    </message>
+    <message>
+        <source>Look at mesh_path in the arm&apos;s file.</source>
+        <translation>Vérifiez mesh_path dans le fichier du bras.</translation>
     </message>
 </context>
 <context>
@@ -23124,7 +23219,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">Force</translation>
+        <translation>Force</translation>
     </message>
 </context>
 <context>
@@ -23239,7 +23334,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Matrices</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrices</translation>
     </message>
 </context>
 <context>
@@ -23362,11 +23457,11 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>fréquence</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>temps</translation>
     </message>
 </context>
 <context>
@@ -24231,7 +24326,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps</translation>
     </message>
 </context>
 <context>
@@ -24857,6 +24952,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>The arm does not move: %1.</source>
         <translation>Le bras ne bouge pas : %1.</translation>
     </message>
+    <message>
+        <source>UNGUARDED: the robot does not stop by itself when this program or the network fails. Keep its emergency stop within reach. %1</source>
+        <translation>SANS GARDE&#xa0;: le robot ne s’arrête pas de lui-même en cas de défaillance de ce programme ou du réseau. Gardez son arrêt d’urgence à portée de main. %1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -25091,15 +25190,15 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>Highest force</source>
-        <translation type="unfinished"></translation>
+        <translation>Force maximale</translation>
     </message>
     <message>
         <source>When its first touch began, as in Touches</source>
-        <translation type="unfinished"></translation>
+        <translation>Début de son premier contact, comme dans Contacts</translation>
     </message>
     <message>
         <source>The highest force of all its touches, from the torques of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>La plus grande force de tous ses contacts, d’après les couples des articulations</translation>
     </message>
 </context>
 <context>
@@ -25462,6 +25561,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Show the moment of the loads on a flat array about their centre, as an arrow that turns</source>
         <translation>Montrer le moment des charges d’une matrice plane autour de leur centre, par une flèche courbe</translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>Objets de la scène</translation>
+    </message>
+    <message>
+        <source>Show what a simulated scene has around the arm</source>
+        <translation>Montrer ce qu’une scène simulée place autour du bras</translation>
     </message>
 </context>
 <context>

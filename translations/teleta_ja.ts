@@ -2621,10 +2621,6 @@
         <translation>ADDRESS</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
-        <translation>ファイル（TOML）で記述されたROS 2のアームを開く（繰り返し可）。</translation>
-    </message>
-    <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
 
 Examples:
@@ -2653,6 +2649,10 @@ Examples:
     <message>
         <source>Connect to a site where teleta-site runs, by its file (TOML; repeatable).</source>
         <translation>teleta-site が動いているサイトに、そのファイルで接続します（TOML、繰り返し可）。</translation>
+    </message>
+    <message>
+        <source>Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; repeatable).</source>
+        <translation>ファイルに記述されたROS 2のアーム、またはModbusの機器が伝える関節を開く (TOML、繰り返し可)。</translation>
     </message>
 </context>
 <context>
@@ -2839,11 +2839,11 @@ Examples:
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished">x</translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished">y</translation>
+        <translation>y</translation>
     </message>
 </context>
 <context>
@@ -3665,12 +3665,12 @@ Examples:
         <translation>キー「source」</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; or &quot;marker_gel&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;</translation>
-    </message>
-    <message>
         <source>Flat gel with markers</source>
         <translation>マーカー付きの平らなゲル</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; or &quot;ros_camera&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;、&quot;ros_tactile&quot;、&quot;ros_camera&quot;のいずれか</translation>
     </message>
 </context>
 <context>
@@ -6202,6 +6202,37 @@ Examples:
     </message>
 </context>
 <context>
+    <name>MeshFile</name>
+    <message>
+        <source>the arm&apos;s file names no folder of meshes</source>
+        <translation>アームのファイルにメッシュのフォルダーが指定されていません</translation>
+    </message>
+    <message>
+        <source>mesh_path = &quot;FOLDER&quot;</source>
+        <translation>mesh_path = &quot;フォルダー&quot;</translation>
+    </message>
+    <message>
+        <source>the mesh %1 is not in the folder of the arm&apos;s meshes</source>
+        <translation>メッシュ%1はアームのメッシュのフォルダーの中にありません</translation>
+    </message>
+    <message>
+        <source>the mesh is missing</source>
+        <translation>メッシュがありません</translation>
+    </message>
+    <message>
+        <source>meshes are read from STL, DAE and OBJ files</source>
+        <translation>メッシュはSTL、DAE、OBJのファイルから読み込みます</translation>
+    </message>
+    <message>
+        <source>the mesh is larger than %1 MB</source>
+        <translation>メッシュが%1 MBを超えています</translation>
+    </message>
+    <message>
+        <source>the mesh cannot be read: %1</source>
+        <translation>メッシュを読み込めません: %1</translation>
+    </message>
+</context>
+<context>
     <name>Modbus</name>
     <message>
         <source>%1 cannot be opened: %2</source>
@@ -6282,6 +6313,10 @@ Examples:
     <message>
         <source>tables [[joint]] in its file</source>
         <translation>ファイル内の表 [[joint]]</translation>
+    </message>
+    <message>
+        <source>this arm only tells its joints, it cannot be moved</source>
+        <translation>このアームは関節を伝えるだけで、動かすことはできません</translation>
     </message>
 </context>
 <context>
@@ -8004,6 +8039,10 @@ Run %2 --help for more.
         <source>RECORDED SIMULATION</source>
         <translation>シミュレーションの記録</translation>
     </message>
+    <message>
+        <source>UNGUARDED</source>
+        <translation>保護なし</translation>
+    </message>
 </context>
 <context>
     <name>PseudonymKey</name>
@@ -8094,6 +8133,10 @@ Run %2 --help for more.
     <message>
         <source>the recording has no frames of an array, an arm or a camera</source>
         <translation>記録にアレイ、アーム、カメラのフレームがありません</translation>
+    </message>
+    <message>
+        <source>it is not a picture in colour</source>
+        <translation>カラーの画像ではありません</translation>
     </message>
 </context>
 <context>
@@ -8333,6 +8376,13 @@ Run %2 --help for more.
     <message>
         <source>no line to the driver can be opened: %1</source>
         <translation>ドライバーへの回線を開けません: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteCameraText</name>
+    <message>
+        <source>a picture is no JPEG, or was cut off (%1 bytes)</source>
+        <translation>画像がJPEGでないか、途中で切れています (%1バイト)</translation>
     </message>
 </context>
 <context>
@@ -9079,6 +9129,13 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RobotShape</name>
+    <message>
+        <source>the arm&apos;s meshes have more than %1 triangles</source>
+        <translation>アームのメッシュの三角形が%1個を超えています</translation>
+    </message>
+</context>
+<context>
     <name>RosArm</name>
     <message>
         <source>the arm cannot be moved: %1</source>
@@ -9227,6 +9284,10 @@ Run %2 --help for more.
         <source>; force_stop_N is %1</source>
         <translation>; force_stop_Nは%1です</translation>
     </message>
+    <message>
+        <source>UNGUARDED: %1 keeps its last command when this program ends or the network is cut</source>
+        <translation>保護なし: このプログラムが終了するかネットワークが切れても、%1は最後の指令を保ちます</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheckReport</name>
@@ -9263,10 +9324,6 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>no available adapter moves an arm unguarded</source>
-        <translation>使用できるアダプターに、保護なしでアームを動かすものはありません</translation>
-    </message>
-    <message>
         <source>two joints have the ROS name &quot;%1&quot;</source>
         <translation>通信上の名前が「%1」の関節が2つあります</translation>
     </message>
@@ -9297,6 +9354,18 @@ Run %2 --help for more.
     <message>
         <source>the file of a force sensor, kind = &quot;ros_wrench&quot;</source>
         <translation>力センサーのファイル（kind = &quot;ros_wrench&quot;）</translation>
+    </message>
+    <message>
+        <source>the robot ends a motion of this adapter itself</source>
+        <translation>このアダプターの動きはロボット自身が終わらせます</translation>
+    </message>
+    <message>
+        <source>nothing at the robot ends a motion of this adapter when this program ends or the network is cut</source>
+        <translation>このプログラムが終了するかネットワークが切れたとき、ロボット側にこのアダプターの動きを終わらせるものがありません</translation>
+    </message>
+    <message>
+        <source>another adapter, or unguarded = true</source>
+        <translation>別のアダプター、または unguarded = true</translation>
     </message>
 </context>
 <context>
@@ -9441,6 +9510,13 @@ Run %2 --help for more.
     <message>
         <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
         <translation>アームを記述したファイル (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+</context>
+<context>
+    <name>RosProbeText</name>
+    <message>
+        <source>nothing came on the topic</source>
+        <translation>トピックに何も届きませんでした</translation>
     </message>
 </context>
 <context>
@@ -10285,8 +10361,12 @@ Run %2 --help for more.
         <translation>装置ごとに異なる id</translation>
     </message>
     <message>
-        <source>file, wts, taxels or scene</source>
-        <translation>file、wts、taxelsまたはscene</translation>
+        <source>the file of an arm, an array or a camera over ROS 2</source>
+        <translation>ROS 2のアーム、アレイ、カメラのいずれかのファイル</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels, scene or scene_camera</source>
+        <translation>file、wts、taxels、scene、scene_cameraのいずれか</translation>
     </message>
 </context>
 <context>
@@ -15376,14 +15456,14 @@ Run teleta-site --help for more.
     <message>
         <source>%1 (%2)</source>
         <comment>a title and its unit</comment>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1
 (%2)</source>
         <comment>a title above its unit</comment>
-        <translation type="unfinished">%1 (%2) {1
-?} {2)?}</translation>
+        <translation>%1
+(%2)</translation>
     </message>
 </context>
 <context>
@@ -16263,15 +16343,15 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>drive</source>
-        <translation type="unfinished"></translation>
+        <translation>駆動</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>時間</translation>
     </message>
 </context>
 <context>
@@ -16332,37 +16412,37 @@ Run teleta-site --help for more.
     <message>
         <source>measured, by feel</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>測定、感覚</translation>
     </message>
     <message>
         <source>partly by feel</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>一部は感覚</translation>
     </message>
     <message>
         <source>partly measured</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>一部は測定</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>始動</translation>
     </message>
     <message>
         <source>Full</source>
-        <translation type="unfinished"></translation>
+        <translation>全開</translation>
     </message>
     <message>
         <source>Rise</source>
-        <translation type="unfinished"></translation>
+        <translation>上昇</translation>
     </message>
     <message>
         <source>Fall</source>
-        <translation type="unfinished"></translation>
+        <translation>下降</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">速度</translation>
+        <translation>速度</translation>
     </message>
 </context>
 <context>
@@ -16819,12 +16899,12 @@ Run teleta-site --help for more.
     <message>
         <source>Along</source>
         <comment>the tube</comment>
-        <translation type="unfinished"></translation>
+        <translation>軸方向</translation>
     </message>
     <message>
         <source>Around</source>
         <comment>the tube</comment>
-        <translation type="unfinished"></translation>
+        <translation>周方向</translation>
     </message>
 </context>
 <context>
@@ -17036,19 +17116,19 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>画素</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>Image</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表面</translation>
     </message>
 </context>
 <context>
@@ -17427,17 +17507,17 @@ Run teleta-site --help for more.
     <message>
         <source>rec</source>
         <comment>recorded, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>記録</translation>
     </message>
     <message>
         <source>rec sim</source>
         <comment>a recorded simulation, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>記録模擬</translation>
     </message>
     <message>
         <source>sim</source>
         <comment>simulated, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>模擬</translation>
     </message>
 </context>
 <context>
@@ -18766,8 +18846,12 @@ Run teleta-site --help for more.
         <translation>時刻を保存…</translation>
     </message>
     <message>
-        <source>Save when each touch was read, evaluated, sent and felt, as a table (CSV)</source>
-        <translation>各タッチが読み取られ、評価され、送られ、感じられた時刻を表（CSV）に保存する</translation>
+        <source>Arrived at the console: %1 later</source>
+        <translation>コンソールに到着: %1後</translation>
+    </message>
+    <message>
+        <source>Save when each touch was read, arrived from a site, was evaluated, sent and felt, as a table (CSV)</source>
+        <translation>各接触が読み取られ、サイトから届き、評価され、送られ、感じられた時刻を表 (CSV) に保存します</translation>
     </message>
 </context>
 <context>
@@ -19026,6 +19110,13 @@ Run teleta-site --help for more.
     <message>
         <source>&amp;Motors:</source>
         <translation>モーター(&amp;M):</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::JointViews</name>
+    <message>
+        <source>The arm is drawn without its meshes: %1</source>
+        <translation>アームはメッシュなしで描かれます: %1</translation>
     </message>
 </context>
 <context>
@@ -19812,10 +19903,6 @@ Run teleta-site --help for more.
         <translation>アームを開く</translation>
     </message>
     <message>
-        <source>Arms over ROS 2 (*.toml)</source>
-        <translation>ROS 2のアーム (*.toml)</translation>
-    </message>
-    <message>
         <source>&amp;Open arm…</source>
         <translation>アームを開く(&amp;O)…</translation>
     </message>
@@ -19866,6 +19953,10 @@ Run teleta-site --help for more.
     <message>
         <source>What accuracy costs in time on this machine, and the setting that the camera uses</source>
         <translation>このコンピューターで精度にかかる時間と、カメラが使う設定</translation>
+    </message>
+    <message>
+        <source>Arms (*.toml)</source>
+        <translation>アーム (*.toml)</translation>
     </message>
 </context>
 <context>
@@ -19950,21 +20041,21 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Motor %1 was measured and is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>モーター%1は測定されましたが、保存されていません。</translation>
     </message>
     <message>
         <source>Motors %1 were measured and are not saved.</source>
         <comment>1, 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>モーター%1は測定されましたが、保存されていません。</translation>
     </message>
     <message>
         <source>Motor %1 was changed and is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>モーター%1は変更されましたが、保存されていません。</translation>
     </message>
     <message>
         <source>Motors %1 were changed and are not saved.</source>
         <comment>1, 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>モーター%1は変更されましたが、保存されていません。</translation>
     </message>
 </context>
 <context>
@@ -20229,6 +20320,10 @@ Run teleta-site --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1：関節</translation>
+    </message>
+    <message>
+        <source>Look at mesh_path in the arm&apos;s file.</source>
+        <translation>アームのファイルの mesh_path を確認してください。</translation>
     </message>
 </context>
 <context>
@@ -23056,7 +23151,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">力</translation>
+        <translation>力</translation>
     </message>
 </context>
 <context>
@@ -23171,7 +23266,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Matrices</source>
-        <translation type="unfinished"></translation>
+        <translation>行列</translation>
     </message>
 </context>
 <context>
@@ -23294,11 +23389,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>周波数</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>時間</translation>
     </message>
 </context>
 <context>
@@ -24161,7 +24256,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">時刻</translation>
+        <translation>時刻</translation>
     </message>
 </context>
 <context>
@@ -24786,6 +24881,10 @@ Double-click to type the upper end.</source>
         <source>The arm does not move: %1.</source>
         <translation>アームは動きません：%1。</translation>
     </message>
+    <message>
+        <source>UNGUARDED: the robot does not stop by itself when this program or the network fails. Keep its emergency stop within reach. %1</source>
+        <translation>保護なし: このプログラムやネットワークが故障しても、ロボットは自分では止まりません。非常停止に手が届くようにしてください。%1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -25019,15 +25118,15 @@ Double-click to type the upper end.</source>
     </message>
     <message>
         <source>Highest force</source>
-        <translation type="unfinished"></translation>
+        <translation>最大の力</translation>
     </message>
     <message>
         <source>When its first touch began, as in Touches</source>
-        <translation type="unfinished"></translation>
+        <translation>「接触」と同じ、最初の接触が始まった時刻</translation>
     </message>
     <message>
         <source>The highest force of all its touches, from the torques of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>関節のトルクから求めた、すべての接触のうち最大の力</translation>
     </message>
 </context>
 <context>
@@ -25388,6 +25487,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show the moment of the loads on a flat array about their centre, as an arrow that turns</source>
         <translation>平らなアレイの荷重が中心のまわりに作るモーメントを曲がった矢印で表示</translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>シーンの物体</translation>
+    </message>
+    <message>
+        <source>Show what a simulated scene has around the arm</source>
+        <translation>シミュレーションのシーンでアームの周りにあるものを表示します</translation>
     </message>
 </context>
 <context>

@@ -2621,10 +2621,6 @@
         <translation>地址</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, described in a file (TOML; repeatable).</source>
-        <translation>打开通过 ROS 2 的机械臂，由文件（TOML）描述（可重复）。</translation>
-    </message>
-    <message>
         <source>Shows what a remote robot arm touches: where, how hard, how stiff, what shape.
 
 Examples:
@@ -2653,6 +2649,10 @@ Examples:
     <message>
         <source>Connect to a site where teleta-site runs, by its file (TOML; repeatable).</source>
         <translation>按文件连接运行 teleta-site 的站点（TOML；可重复）。</translation>
+    </message>
+    <message>
+        <source>Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; repeatable).</source>
+        <translation>打开文件中描述的通过 ROS 2 的机械臂，或 Modbus 设备报告的关节（TOML；可重复）。</translation>
     </message>
 </context>
 <context>
@@ -2839,11 +2839,11 @@ Examples:
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished">x</translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished">y</translation>
+        <translation>y</translation>
     </message>
 </context>
 <context>
@@ -3665,12 +3665,12 @@ Examples:
         <translation>键“source”</translation>
     </message>
     <message>
-        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot; or &quot;marker_gel&quot;</source>
-        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot; 或 &quot;marker_gel&quot;</translation>
-    </message>
-    <message>
         <source>Flat gel with markers</source>
         <translation>带标记的平面凝胶</translation>
+    </message>
+    <message>
+        <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; or &quot;ros_camera&quot;</source>
+        <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;、&quot;ros_tactile&quot; 或 &quot;ros_camera&quot;</translation>
     </message>
 </context>
 <context>
@@ -6202,6 +6202,37 @@ Examples:
     </message>
 </context>
 <context>
+    <name>MeshFile</name>
+    <message>
+        <source>the arm&apos;s file names no folder of meshes</source>
+        <translation>机械臂的文件没有指明网格文件夹</translation>
+    </message>
+    <message>
+        <source>mesh_path = &quot;FOLDER&quot;</source>
+        <translation>mesh_path = &quot;文件夹&quot;</translation>
+    </message>
+    <message>
+        <source>the mesh %1 is not in the folder of the arm&apos;s meshes</source>
+        <translation>网格 %1 不在机械臂的网格文件夹中</translation>
+    </message>
+    <message>
+        <source>the mesh is missing</source>
+        <translation>缺少该网格</translation>
+    </message>
+    <message>
+        <source>meshes are read from STL, DAE and OBJ files</source>
+        <translation>网格从 STL、DAE 和 OBJ 文件读取</translation>
+    </message>
+    <message>
+        <source>the mesh is larger than %1 MB</source>
+        <translation>网格大于 %1 MB</translation>
+    </message>
+    <message>
+        <source>the mesh cannot be read: %1</source>
+        <translation>无法读取网格：%1</translation>
+    </message>
+</context>
+<context>
     <name>Modbus</name>
     <message>
         <source>%1 cannot be opened: %2</source>
@@ -6282,6 +6313,10 @@ Examples:
     <message>
         <source>tables [[joint]] in its file</source>
         <translation>其文件中的表 [[joint]]</translation>
+    </message>
+    <message>
+        <source>this arm only tells its joints, it cannot be moved</source>
+        <translation>此机械臂只报告关节，无法移动</translation>
     </message>
 </context>
 <context>
@@ -8004,6 +8039,10 @@ Run %2 --help for more.
         <source>RECORDED SIMULATION</source>
         <translation>模拟记录</translation>
     </message>
+    <message>
+        <source>UNGUARDED</source>
+        <translation>无保护</translation>
+    </message>
 </context>
 <context>
     <name>PseudonymKey</name>
@@ -8094,6 +8133,10 @@ Run %2 --help for more.
     <message>
         <source>the recording has no frames of an array, an arm or a camera</source>
         <translation>记录中没有阵列、机械臂或摄像头的帧</translation>
+    </message>
+    <message>
+        <source>it is not a picture in colour</source>
+        <translation>不是彩色图像</translation>
     </message>
 </context>
 <context>
@@ -8333,6 +8376,13 @@ Run %2 --help for more.
     <message>
         <source>no line to the driver can be opened: %1</source>
         <translation>无法打开到驱动器的线路：%1</translation>
+    </message>
+</context>
+<context>
+    <name>RemoteCameraText</name>
+    <message>
+        <source>a picture is no JPEG, or was cut off (%1 bytes)</source>
+        <translation>图像不是 JPEG，或被截断（%1 字节）</translation>
     </message>
 </context>
 <context>
@@ -9079,6 +9129,13 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RobotShape</name>
+    <message>
+        <source>the arm&apos;s meshes have more than %1 triangles</source>
+        <translation>机械臂的网格超过 %1 个三角形</translation>
+    </message>
+</context>
+<context>
     <name>RosArm</name>
     <message>
         <source>the arm cannot be moved: %1</source>
@@ -9227,6 +9284,10 @@ Run %2 --help for more.
         <source>; force_stop_N is %1</source>
         <translation>；force_stop_N 为 %1</translation>
     </message>
+    <message>
+        <source>UNGUARDED: %1 keeps its last command when this program ends or the network is cut</source>
+        <translation>无保护：本程序结束或网络中断时，%1 保持其最后的指令</translation>
+    </message>
 </context>
 <context>
     <name>RosArmCheckReport</name>
@@ -9263,10 +9324,6 @@ Run %2 --help for more.
 <context>
     <name>RosArmFile</name>
     <message>
-        <source>no available adapter moves an arm unguarded</source>
-        <translation>所提供的适配器均不会在无防护的情况下移动机械臂</translation>
-    </message>
-    <message>
         <source>two joints have the ROS name &quot;%1&quot;</source>
         <translation>有两个关节在传输中都名为“%1”</translation>
     </message>
@@ -9297,6 +9354,18 @@ Run %2 --help for more.
     <message>
         <source>the file of a force sensor, kind = &quot;ros_wrench&quot;</source>
         <translation>力传感器的文件，kind = &quot;ros_wrench&quot;</translation>
+    </message>
+    <message>
+        <source>the robot ends a motion of this adapter itself</source>
+        <translation>此适配器的运动由机器人自行结束</translation>
+    </message>
+    <message>
+        <source>nothing at the robot ends a motion of this adapter when this program ends or the network is cut</source>
+        <translation>本程序结束或网络中断时，机器人一侧没有任何机制结束此适配器的运动</translation>
+    </message>
+    <message>
+        <source>another adapter, or unguarded = true</source>
+        <translation>另一个适配器，或 unguarded = true</translation>
     </message>
 </context>
 <context>
@@ -9441,6 +9510,13 @@ Run %2 --help for more.
     <message>
         <source>File that describes the arm (kind = &quot;ros_arm&quot;)</source>
         <translation>描述机械臂的文件 (kind = &quot;ros_arm&quot;)</translation>
+    </message>
+</context>
+<context>
+    <name>RosProbeText</name>
+    <message>
+        <source>nothing came on the topic</source>
+        <translation>该话题上没有收到任何数据</translation>
     </message>
 </context>
 <context>
@@ -10285,8 +10361,12 @@ Run %2 --help for more.
         <translation>每个设备唯一的 id</translation>
     </message>
     <message>
-        <source>file, wts, taxels or scene</source>
-        <translation>file、wts、taxels 或 scene</translation>
+        <source>the file of an arm, an array or a camera over ROS 2</source>
+        <translation>通过 ROS 2 的机械臂、阵列或相机的文件</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels, scene or scene_camera</source>
+        <translation>file、wts、taxels、scene 或 scene_camera</translation>
     </message>
 </context>
 <context>
@@ -15376,14 +15456,14 @@ Run teleta-site --help for more.
     <message>
         <source>%1 (%2)</source>
         <comment>a title and its unit</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1
 (%2)</source>
         <comment>a title above its unit</comment>
-        <translation type="unfinished">%1 (%2) {1
-?} {2)?}</translation>
+        <translation>%1
+(%2)</translation>
     </message>
 </context>
 <context>
@@ -16263,15 +16343,15 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>drive</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>转速</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间</translation>
     </message>
 </context>
 <context>
@@ -16332,37 +16412,37 @@ Run teleta-site --help for more.
     <message>
         <source>measured, by feel</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>测量、凭感觉</translation>
     </message>
     <message>
         <source>partly by feel</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>部分凭感觉</translation>
     </message>
     <message>
         <source>partly measured</source>
         <comment>where the values come from</comment>
-        <translation type="unfinished"></translation>
+        <translation>部分测量</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>起动</translation>
     </message>
     <message>
         <source>Full</source>
-        <translation type="unfinished"></translation>
+        <translation>满程</translation>
     </message>
     <message>
         <source>Rise</source>
-        <translation type="unfinished"></translation>
+        <translation>上升</translation>
     </message>
     <message>
         <source>Fall</source>
-        <translation type="unfinished"></translation>
+        <translation>下降</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">速度</translation>
+        <translation>转速</translation>
     </message>
 </context>
 <context>
@@ -16819,12 +16899,12 @@ Run teleta-site --help for more.
     <message>
         <source>Along</source>
         <comment>the tube</comment>
-        <translation type="unfinished"></translation>
+        <translation>轴向</translation>
     </message>
     <message>
         <source>Around</source>
         <comment>the tube</comment>
-        <translation type="unfinished"></translation>
+        <translation>周向</translation>
     </message>
 </context>
 <context>
@@ -17036,19 +17116,19 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>像素</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>Image</source>
-        <translation type="unfinished"></translation>
+        <translation>图像</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表面</translation>
     </message>
 </context>
 <context>
@@ -17427,17 +17507,17 @@ Run teleta-site --help for more.
     <message>
         <source>rec</source>
         <comment>recorded, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>记录</translation>
     </message>
     <message>
         <source>rec sim</source>
         <comment>a recorded simulation, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>记录模拟</translation>
     </message>
     <message>
         <source>sim</source>
         <comment>simulated, short</comment>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
 </context>
 <context>
@@ -18766,8 +18846,12 @@ Run teleta-site --help for more.
         <translation>保存时间…</translation>
     </message>
     <message>
-        <source>Save when each touch was read, evaluated, sent and felt, as a table (CSV)</source>
-        <translation>将每次触碰被读取、评估、发送和感觉到的时刻保存为表格（CSV）</translation>
+        <source>Arrived at the console: %1 later</source>
+        <translation>到达控制台：%1 后</translation>
+    </message>
+    <message>
+        <source>Save when each touch was read, arrived from a site, was evaluated, sent and felt, as a table (CSV)</source>
+        <translation>将每次触碰被读取、从站点到达、被评估、发送和感受到的时间保存为表格（CSV）</translation>
     </message>
 </context>
 <context>
@@ -19026,6 +19110,13 @@ Run teleta-site --help for more.
     <message>
         <source>&amp;Motors:</source>
         <translation>电机(&amp;M)：</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::JointViews</name>
+    <message>
+        <source>The arm is drawn without its meshes: %1</source>
+        <translation>机械臂不带网格显示：%1</translation>
     </message>
 </context>
 <context>
@@ -19812,10 +19903,6 @@ Run teleta-site --help for more.
         <translation>打开机械臂</translation>
     </message>
     <message>
-        <source>Arms over ROS 2 (*.toml)</source>
-        <translation>通过 ROS 2 的机械臂 (*.toml)</translation>
-    </message>
-    <message>
         <source>&amp;Open arm…</source>
         <translation>打开机械臂(&amp;O)…</translation>
     </message>
@@ -19866,6 +19953,10 @@ Run teleta-site --help for more.
     <message>
         <source>What accuracy costs in time on this machine, and the setting that the camera uses</source>
         <translation>精度在本机上的时间代价，以及相机使用的设置</translation>
+    </message>
+    <message>
+        <source>Arms (*.toml)</source>
+        <translation>机械臂 (*.toml)</translation>
     </message>
 </context>
 <context>
@@ -19950,21 +20041,21 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Motor %1 was measured and is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 已测量，尚未保存。</translation>
     </message>
     <message>
         <source>Motors %1 were measured and are not saved.</source>
         <comment>1, 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 已测量，尚未保存。</translation>
     </message>
     <message>
         <source>Motor %1 was changed and is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 已更改，尚未保存。</translation>
     </message>
     <message>
         <source>Motors %1 were changed and are not saved.</source>
         <comment>1, 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>电机 %1 已更改，尚未保存。</translation>
     </message>
 </context>
 <context>
@@ -20229,6 +20320,10 @@ Run teleta-site --help for more.
         <source>%1: joints</source>
         <comment>a source</comment>
         <translation>%1：关节</translation>
+    </message>
+    <message>
+        <source>Look at mesh_path in the arm&apos;s file.</source>
+        <translation>请检查机械臂文件中的 mesh_path。</translation>
     </message>
 </context>
 <context>
@@ -23056,7 +23151,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">力</translation>
+        <translation>力</translation>
     </message>
 </context>
 <context>
@@ -23171,7 +23266,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Matrices</source>
-        <translation type="unfinished"></translation>
+        <translation>矩阵</translation>
     </message>
 </context>
 <context>
@@ -23294,11 +23389,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>频率</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>时间</translation>
     </message>
 </context>
 <context>
@@ -24161,7 +24256,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">时间</translation>
+        <translation>时间</translation>
     </message>
 </context>
 <context>
@@ -24786,6 +24881,10 @@ Double-click to type the upper end.</source>
         <source>The arm does not move: %1.</source>
         <translation>机械臂不运动：%1。</translation>
     </message>
+    <message>
+        <source>UNGUARDED: the robot does not stop by itself when this program or the network fails. Keep its emergency stop within reach. %1</source>
+        <translation>无保护：本程序或网络出故障时，机器人不会自行停止。请确保急停按钮触手可及。%1</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -25019,15 +25118,15 @@ Double-click to type the upper end.</source>
     </message>
     <message>
         <source>Highest force</source>
-        <translation type="unfinished"></translation>
+        <translation>最大力</translation>
     </message>
     <message>
         <source>When its first touch began, as in Touches</source>
-        <translation type="unfinished"></translation>
+        <translation>其首次触碰开始的时间，与“触碰”中相同</translation>
     </message>
     <message>
         <source>The highest force of all its touches, from the torques of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>其所有触碰中由关节力矩得出的最大力</translation>
     </message>
 </context>
 <context>
@@ -25388,6 +25487,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show the moment of the loads on a flat array about their centre, as an arrow that turns</source>
         <translation>用弯箭头显示平面阵列上的载荷绕其中心的力矩</translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>场景中的物体</translation>
+    </message>
+    <message>
+        <source>Show what a simulated scene has around the arm</source>
+        <translation>显示仿真场景中机械臂周围的物体</translation>
     </message>
 </context>
 <context>
