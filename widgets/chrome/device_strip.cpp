@@ -53,6 +53,8 @@ QString shortWordOf(base::Provenance provenance) {
     switch (provenance) {
     case base::Provenance::live:
         break;
+    case base::Provenance::unguarded:
+        return wordOf(provenance);
     case base::Provenance::recorded:
         return DeviceStrip::tr("rec", "recorded, short");
     case base::Provenance::recordedSimulation:
@@ -163,10 +165,11 @@ int DeviceStrip::place(Detail detail) {
     std::vector<double> widths;
     for (Cell& cell : m_cells) {
         cell.shown = compose(cell, detail, cell.reading.name);
-        // A name is shortened only when the word is gone.
-        cell.word = detail == Detail::all        ? wordOf(cell.reading.provenance)
-                    : detail != Detail::cutShort ? shortWordOf(cell.reading.provenance)
-                                                 : QString();
+        // A name is shortened only when the word is gone, but for one that warns.
+        const bool warns = cell.reading.provenance == base::Provenance::unguarded;
+        cell.word = detail == Detail::all                 ? wordOf(cell.reading.provenance)
+                    : detail != Detail::cutShort || warns ? shortWordOf(cell.reading.provenance)
+                                                          : QString();
         widths.push_back(std::ceil(besideText(cell) + base::tabularWidth(metrics, cell.shown)));
     }
     const double most = detail == Detail::cutShort
