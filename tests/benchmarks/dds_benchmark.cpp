@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Joint states of an arm of seven joints, 1000 a second, to another process on this computer and back, and
-// pictures of 640 x 480 in colour, 30 a second, one way. Through our readers and writers, plain and with keys;
-// beside them the same number of bytes through bare UDP sockets in the same run.
+// pictures of 640 x 480 in colour, 30 a second, one way. Through our readers and writers, plain and with
+// keys; beside them the same number of bytes through bare UDP sockets in the same run.
 //   dds_benchmark [SECONDS]      default: 20
 #include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
@@ -16,14 +16,8 @@
 #include <QCoreApplication>
 #include <QTemporaryDir>
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <arpa/inet.h>
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -31,9 +25,14 @@
 #include <ctime>
 #include <functional>
 #include <memory>
+#include <netinet/in.h>
 #include <optional>
 #include <string>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -80,12 +79,12 @@ void print(const char* what, Result result) {
         std::printf("%-28s nothing came\n", what);
         return;
     }
-    std::printf("%-28s median %6.3f ms  99 %% %6.3f ms  most %7.3f ms  lost %zu of %zu  of a core %4.1f %% and "
-                "%4.1f %%\n",
-                what, 1e3 * core::quantileOf(result.delays_s, 0.5),
-                1e3 * core::quantileOf(result.delays_s, 0.99), 1e3 * result.delays_s.back(),
-                result.sent - std::min(result.sent, result.delays_s.size()), result.sent,
-                100.0 * result.cpuHere_s / result.time_s, 100.0 * result.cpuThere_s / result.time_s);
+    std::printf(
+        "%-28s median %6.3f ms  99 %% %6.3f ms  most %7.3f ms  lost %zu of %zu  of a core %4.1f %% and "
+        "%4.1f %%\n",
+        what, 1e3 * core::quantileOf(result.delays_s, 0.5), 1e3 * core::quantileOf(result.delays_s, 0.99),
+        1e3 * result.delays_s.back(), result.sent - std::min(result.sent, result.delays_s.size()),
+        result.sent, 100.0 * result.cpuHere_s / result.time_s, 100.0 * result.cpuThere_s / result.time_s);
 }
 
 /// Calls it at each period, with the number of the call, until the time is over.
@@ -145,8 +144,8 @@ struct Keys {
 
 std::shared_ptr<const dds::Participant> join(const std::string& keys, int domain) {
     const dds::DomainConfig config{domain, "lo", {"127.0.0.1"}};
-    auto joined = dds::Participant::open(
-        config, {}, keys.empty() ? std::nullopt : std::optional(dds::Security{keys}));
+    auto joined =
+        dds::Participant::open(config, {}, keys.empty() ? std::nullopt : std::optional(dds::Security{keys}));
     if (!joined) {
         std::fprintf(stderr, "dds_benchmark: %s\n", core::describe(joined.error()).c_str());
         _exit(1);
@@ -193,9 +192,8 @@ Result jointsThereAndBack(double time_s, const Keys& keys, int domain) {
         wait.attach(reader);
         while (!ended) {
             wait.wait(100'000'000);
-            (void)reader.take([&](const ros::JointState& message, const dds::SampleInfo&) {
-                (void)writer.write(message);
-            });
+            (void)reader.take(
+                [&](const ros::JointState& message, const dds::SampleInfo&) { (void)writer.write(message); });
         }
     });
     const auto participant = join(keys.console, domain);
@@ -246,7 +244,8 @@ Result jointsThereAndBack(double time_s, const Keys& keys, int domain) {
 Result picturesThere(double time_s, const Keys& keys, int domain) {
     OtherProcess other([&](const std::atomic<bool>& ended) {
         const auto participant = join(keys.site, domain);
-        auto writer = opened(dds::Writer<ros::Image>::open(participant, kPictures, ros::kSensorWriter.withDepth(1)));
+        auto writer =
+            opened(dds::Writer<ros::Image>::open(participant, kPictures, ros::kSensorWriter.withDepth(1)));
         while (writer.matched() == 0 && !ended)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
@@ -389,7 +388,8 @@ int main(int count, char** arguments) {
         return 1;
     }
     const Keys none;
-    const Keys keys{folder.filePath("keys/site").toStdString(), folder.filePath("keys/console1").toStdString()};
+    const Keys keys{folder.filePath("keys/site").toStdString(),
+                    folder.filePath("keys/console1").toStdString()};
     alone([&] { print("392 bytes, UDP", datagramsThereAndBack(time_s)); });
     alone([&] { print("7 joints, DDS", jointsThereAndBack(time_s, none, kDomain)); });
     alone([&] { print("7 joints, DDS with keys", jointsThereAndBack(time_s, keys, kDomain + 1)); });

@@ -227,8 +227,8 @@ void MotorChart::drawRecording() {
     if (!m_evidence) {
         QCPItemText* text = addText(m_recording, colours.color(QPalette::PlaceholderText));
         text->position->setCoords(0.5, 0.5);
-        text->setText(wrapped(*m_recording,
-                              tr("No recording of this motor yet: measure it, or open a recording.")));
+        text->setText(
+            wrapped(*m_recording, tr("No recording of this motor yet: measure it, or open a recording.")));
         m_recording->xAxis->setRange(0.0, 10.0);
         m_recording->yAxis->setRange(0.0, 300.0);
         m_recording->replot(QCustomPlot::rpQueuedReplot);

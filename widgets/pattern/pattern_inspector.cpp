@@ -38,7 +38,7 @@ void letShrink(QWidget* field) {
     field->setMinimumWidth(base::em(field, kLeastField_em));
 }
 
-}
+} // namespace
 
 PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     : QWidget(parent)
@@ -86,7 +86,8 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     m_rows = new QWidget(inside);
     layout->addWidget(m_rows);
     layout->addStretch(1);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_duration, m_loopBegin, m_loopEnd, m_task, m_condition})
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_duration, m_loopBegin, m_loopEnd, m_task, m_condition})
         letShrink(field);
     auto* scroll = new FieldScroll(this);
     scroll->setWidgetResizable(true);

@@ -37,7 +37,7 @@ constexpr QSizeF kPicture_em(3.5, 1.6);
 constexpr QSizeF kSmallPicture_em(1.3, 1.3);
 constexpr double kIndent_em = 0.9;
 constexpr double kSmallIndent_em = 0.35;
-constexpr double kMostOwn_em = 16.0; ///< people may give a pattern a long name
+constexpr double kMostOwn_em = 16.0;    ///< people may give a pattern a long name
 constexpr double kAroundText_em = 0.75; ///< margins of the style beside picture and text
 
 } // namespace

@@ -228,7 +228,7 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
 }
 
 QStringList RunSheetModel::titles() const {
-    return {tr("No."),     tr("Name"),  tr("Found at"),  tr("Place x, y"), tr("Touches"),
+    return {tr("No."),     tr("Name"),          tr("Found at"),  tr("Place x, y"), tr("Touches"),
             tr("Contact"), tr("Highest force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
 }
 

@@ -106,8 +106,7 @@ void SheetView::growColumns() {
         [this] {
             m_isFitDue = false;
             for (int column = 0; column + 1 < m_view->model()->columnCount(); ++column)
-                m_view->setColumnWidth(column,
-                                       std::max(m_view->columnWidth(column), fittingWidth(column)));
+                m_view->setColumnWidth(column, std::max(m_view->columnWidth(column), fittingWidth(column)));
         },
         Qt::QueuedConnection);
 }

@@ -35,8 +35,8 @@ protected:
     /// Shows a model and writes the texts; the last step of a constructor.
     void start(QAbstractItemModel* model);
     void setHint(const QString& text);
-    /// Makes columns as wide as their title or their widest cell in sight, whichever is wider. While rows come
-    /// in, they only grow.
+    /// Makes columns as wide as their title or their widest cell in sight, whichever is wider. While rows
+    /// come in, they only grow.
     void fitColumns();
     void addDataActions(QMenu& menu) { m_export->addDataActions(menu); }
     [[nodiscard]] base::Provenance provenance() const { return m_provenance; }

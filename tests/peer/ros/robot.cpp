@@ -173,7 +173,8 @@ void Robot::takeCommands(double now_s) {
         if (whole)
             kept = data;
         count(whole);
-        log(m_options.controller.c_str(), {{"accepted", whole}, {"data", data}, {"position", m_arm.position_rad()}});
+        log(m_options.controller.c_str(),
+            {{"accepted", whole}, {"data", data}, {"position", m_arm.position_rad()}});
     }
 }
 

@@ -14,13 +14,11 @@ struct UnitTitleText {
 } // namespace
 
 QString titleWithUnit(const QString& title, const QString& unit) {
-    return unit.isEmpty() ? title
-                          : UnitTitleText::tr("%1 (%2)", "a title and its unit").arg(title, unit);
+    return unit.isEmpty() ? title : UnitTitleText::tr("%1 (%2)", "a title and its unit").arg(title, unit);
 }
 
 QString titleOverUnit(const QString& title, const QString& unit) {
-    return unit.isEmpty() ? title
-                          : UnitTitleText::tr("%1\n(%2)", "a title above its unit").arg(title, unit);
+    return unit.isEmpty() ? title : UnitTitleText::tr("%1\n(%2)", "a title above its unit").arg(title, unit);
 }
 
 } // namespace teleta::base

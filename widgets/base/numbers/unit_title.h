@@ -5,8 +5,8 @@
 
 namespace teleta::base {
 
-/// Title of an axis, a column or a field with the unit of its numbers: "speed (Hz)". Without a unit: the title
-/// alone. Everything that is titled is titled so. Thread: any.
+/// Title of an axis, a column or a field with the unit of its numbers: "speed (Hz)". Without a unit: the
+/// title alone. Everything that is titled is titled so. Thread: any.
 [[nodiscard]] QString titleWithUnit(const QString& title, const QString& unit);
 
 /// The same on two lines, for a narrow column.
