@@ -62,9 +62,9 @@ if [[ ${1:-} == --handbook ]]; then
     take page-start --fresh --after 5 --theme light
     take page-operate "${touches[@]}" --dock touches --theme light
     take page-recording "${recording[@]}" --theme light
-    take page-patterns --page patterns --pattern "$studies/pattern.json" --after 6 --theme light
+    take page-patterns --page patterns --after 6 --theme light
     take page-study "${session[@]}" --theme light
-    take page-calibrate --page calibrate --camera-pairs "$studies/camera/pairs.csv" --after 12 --theme light
+    take page-calibrate --page calibrate --after 5 --theme light
     exit
 fi
 take operate-touch-dark "${touch[@]}" --theme dark

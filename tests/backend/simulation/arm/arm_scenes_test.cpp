@@ -17,7 +17,7 @@ const core::ArmDemand kProgram{.drive = core::ArmDrive::program, .rate_radPerS =
 /// Contact point on the skin from the loads around the highest taxel, in the base.
 std::optional<Eigen::Vector3d> skinPoint(const SimulatedArm& arm, const core::JointSample& sample,
                                          const std::vector<float>& frame) {
-    const core::ArrayLayout layout = arm.skinDescription().layout;
+    const core::ArrayLayout layout = arm.skinDescription().layout.grid();
     const auto highest = std::ranges::max_element(frame);
     const int row = static_cast<int>(highest - frame.begin()) / layout.columns;
     const int column = static_cast<int>(highest - frame.begin()) % layout.columns;

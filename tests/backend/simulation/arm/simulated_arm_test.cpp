@@ -138,7 +138,7 @@ TEST(SimulatedArm, touchesTheFiveMaterialsOfThePaperOneAfterTheOther) {
             continue;
         // Centroid of the loads over the skin's own threshold.
         const ArmContactTruth& contact = arm->truth().contacts[0];
-        const core::ArrayLayout& layout = arm->skinDescription().layout;
+        const core::ArrayLayout layout = arm->skinDescription().layout.grid();
         double x_m = 0.0, y_m = 0.0;
         weight_N = 0.0;
         for (int r = 0; r < layout.rows; ++r) {
