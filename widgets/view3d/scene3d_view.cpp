@@ -413,9 +413,8 @@ void Scene3dView::setRobot(std::shared_ptr<const RobotShape> shape) {
 
 void Scene3dView::setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
                                 std::span<const Eigen::Isometry3d> commanded) {
-    const bool wasShown = m_parts->scene.robot().isShown();
     m_parts->scene.setRobotPoses(X_World_Link, commanded);
-    sceneMoved(wasShown != m_parts->scene.robot().isShown());
+    sceneMoved(false);
 }
 
 void Scene3dView::setTip(const Eigen::Vector3d& p_World_m, double time_s) {
@@ -438,9 +437,8 @@ void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
 }
 
 void Scene3dView::setScenery(std::span<const SceneryItem> items) {
-    const bool wasEmpty = m_parts->marks.scenery.items().empty();
     if (m_parts->marks.scenery.set(items))
-        sceneMoved(wasEmpty != m_parts->marks.scenery.items().empty());
+        sceneMoved(false);
 }
 
 void Scene3dView::forgetArm() {
