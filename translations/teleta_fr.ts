@@ -3492,7 +3492,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>A rehearsed study</source>
-        <translation>Une étude répétée</translation>
+        <translation>Répétition d’une étude</translation>
     </message>
     <message>
         <source>A shape as a vibration pattern: play it, or edit a copy</source>

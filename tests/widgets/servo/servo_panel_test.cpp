@@ -425,6 +425,7 @@ private slots:
 
     void thePictureShowsOtherMatricesForAPointThanForAnEdge() {
         ServoPicture picture;
+        picture.showMatrices(true);
         const QImage empty = pictureOf(picture);
         picture.setReport(exploring());
         const QImage edge = pictureOf(picture);
