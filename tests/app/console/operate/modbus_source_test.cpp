@@ -99,7 +99,7 @@ TEST_F(ModbusSource, aDeviceWithoutJointsSaysSo) {
     text.erase(text.find("[[input]]"));
     const auto opened = open(app::ArmRequest{write("driver.toml", text)});
     ASSERT_FALSE(opened);
-    EXPECT_NE(core::describe(opened.error()).find("no joints"), std::string::npos)
+    EXPECT_NE(core::describe(opened.error()).find("the file names no register"), std::string::npos)
         << core::describe(opened.error());
     const auto broken = open(app::ArmRequest{write("broken.toml", "kind = 'modbus'\nname = 3\n")});
     ASSERT_FALSE(broken);
