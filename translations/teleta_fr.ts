@@ -2656,7 +2656,7 @@ Exemples&#xa0;:
         <translation>Se connecter à un site où tourne teleta-site, par son fichier (TOML ; répétable).</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; repeatable).</source>
+        <source>Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; repeatable).</source>
         <translation>Ouvrir un bras par ROS 2, ou les articulations qu’indique un appareil Modbus, décrits dans un fichier (TOML&#xa0;; répétable).</translation>
     </message>
 </context>
@@ -6222,10 +6222,6 @@ Exemples&#xa0;:
 <context>
     <name>MeshFile</name>
     <message>
-        <source>the arm&apos;s file names no folder of meshes</source>
-        <translation>le fichier du bras ne nomme aucun dossier de maillages</translation>
-    </message>
-    <message>
         <source>mesh_path = &quot;FOLDER&quot;</source>
         <translation>mesh_path = &quot;DOSSIER&quot;</translation>
     </message>
@@ -6248,6 +6244,10 @@ Exemples&#xa0;:
     <message>
         <source>the mesh cannot be read: %1</source>
         <translation>le maillage ne peut pas être lu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s file does not set mesh_path</source>
+        <translation>le fichier du bras ne définit pas mesh_path</translation>
     </message>
 </context>
 <context>
@@ -6333,8 +6333,8 @@ Exemples&#xa0;:
         <translation>des tables [[joint]] dans son fichier</translation>
     </message>
     <message>
-        <source>this arm only tells its joints, it cannot be moved</source>
-        <translation>ce bras ne fait qu’indiquer ses articulations, il ne peut pas être déplacé</translation>
+        <source>this arm is read-only: it reports its joints but cannot be moved</source>
+        <translation>ce bras est en lecture seule&#xa0;: il indique ses articulations mais ne peut pas être déplacé</translation>
     </message>
 </context>
 <context>
@@ -8400,8 +8400,8 @@ Run %2 --help for more.
 <context>
     <name>RemoteCameraText</name>
     <message>
-        <source>a picture is no JPEG, or was cut off (%1 bytes)</source>
-        <translation>une image n’est pas du JPEG, ou a été tronquée (%1 octets)</translation>
+        <source>the received data are not a complete JPEG picture (%1 bytes)</source>
+        <translation>les données reçues ne sont pas une image JPEG complète (%1 octets)</translation>
     </message>
 </context>
 <context>
@@ -9155,8 +9155,8 @@ Run %2 --help for more.
 <context>
     <name>RobotShape</name>
     <message>
-        <source>the arm&apos;s meshes have more than %1 triangles</source>
-        <translation>les maillages du bras ont plus de %1 triangles</translation>
+        <source>the shapes of the arm have more than %1 triangles</source>
+        <translation>les formes du bras ont plus de %1 triangles</translation>
     </message>
 </context>
 <context>
@@ -9309,8 +9309,8 @@ Run %2 --help for more.
         <translation>&#xa0;; force_stop_N vaut %1</translation>
     </message>
     <message>
-        <source>UNGUARDED: %1 keeps its last command when this program ends or the network is cut</source>
-        <translation>SANS GARDE&#xa0;: %1 garde son dernier ordre quand ce programme s’arrête ou que le réseau est coupé</translation>
+        <source>UNGUARDED: %1 keeps its last command when this program ends or the network fails</source>
+        <translation>SANS GARDE&#xa0;: %1 garde son dernier ordre quand ce programme s’arrête ou que le réseau est en panne</translation>
     </message>
 </context>
 <context>
@@ -9381,16 +9381,16 @@ Run %2 --help for more.
         <translation>le fichier d’un capteur de force, kind = &quot;ros_wrench&quot;</translation>
     </message>
     <message>
-        <source>the robot ends a motion of this adapter itself</source>
-        <translation>le robot termine lui-même un mouvement de cet adaptateur</translation>
-    </message>
-    <message>
-        <source>nothing at the robot ends a motion of this adapter when this program ends or the network is cut</source>
-        <translation>rien, du côté du robot, ne termine un mouvement de cet adaptateur quand ce programme s’arrête ou que le réseau est coupé</translation>
-    </message>
-    <message>
         <source>another adapter, or unguarded = true</source>
         <translation>un autre adaptateur, ou unguarded = true</translation>
+    </message>
+    <message>
+        <source>with this adapter the robot stops by itself, so it is not unguarded</source>
+        <translation>avec cet adaptateur le robot s’arrête de lui-même, il n’est donc pas sans garde</translation>
+    </message>
+    <message>
+        <source>with this adapter nothing stops the robot when this program ends or the network fails</source>
+        <translation>avec cet adaptateur, rien n’arrête le robot quand ce programme s’arrête ou que le réseau est en panne</translation>
     </message>
 </context>
 <context>
@@ -12267,6 +12267,16 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Which interval had more?</source>
         <translation>Quel intervalle en avait le plus&#xa0;?</translation>
     </message>
+    <message>
+        <source>drive</source>
+        <comment>unit of a level</comment>
+        <translation>commande</translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <comment>unit of a level</comment>
+        <translation>équilibre</translation>
+    </message>
 </context>
 <context>
     <name>StudyNoise</name>
@@ -14199,16 +14209,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>1 ou 3</translation>
     </message>
     <message>
-        <source>these are no three axes</source>
-        <translation>ce ne sont pas trois axes</translation>
-    </message>
-    <message>
         <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
         <translation>chaque axe une fois avec son signe, comme [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</translation>
-    </message>
-    <message>
-        <source>these are no places without a taxel</source>
-        <translation>ce ne sont pas des places sans taxel</translation>
     </message>
     <message>
         <source>these are no places of taxels</source>
@@ -14295,10 +14297,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>au plus %1&#xa0;; davantage sur une grille</translation>
     </message>
     <message>
-        <source>a direction has no length</source>
-        <translation>une direction n’a pas de longueur</translation>
-    </message>
-    <message>
         <source>other numbers than [0, 0, 0]</source>
         <translation>d’autres nombres que [0, 0, 0]</translation>
     </message>
@@ -14309,6 +14307,18 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>different places; they count from 0</source>
         <translation>des positions différentes&#xa0;; elles comptent à partir de 0</translation>
+    </message>
+    <message>
+        <source>a normal is zero</source>
+        <translation>une normale est nulle</translation>
+    </message>
+    <message>
+        <source>these are not three distinct axes</source>
+        <translation>ce ne sont pas trois axes différents</translation>
+    </message>
+    <message>
+        <source>this mask does not fit the array</source>
+        <translation>ce masque ne convient pas à la matrice</translation>
     </message>
 </context>
 <context>
@@ -20382,8 +20392,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>%1&#xa0;: articulations</translation>
     </message>
     <message>
-        <source>Look at mesh_path in the arm&apos;s file.</source>
-        <translation>Vérifiez mesh_path dans le fichier du bras.</translation>
+        <source>Check mesh_path in the file with which you opened the arm or its site.</source>
+        <translation>Vérifiez mesh_path dans le fichier par lequel vous avez ouvert le bras ou son site.</translation>
     </message>
 </context>
 <context>

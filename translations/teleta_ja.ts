@@ -2651,7 +2651,7 @@ Examples:
         <translation>teleta-site が動いているサイトに、そのファイルで接続します（TOML、繰り返し可）。</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; repeatable).</source>
+        <source>Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; repeatable).</source>
         <translation>ファイルに記述されたROS 2のアーム、またはModbusの機器が伝える関節を開く (TOML、繰り返し可)。</translation>
     </message>
 </context>
@@ -6204,10 +6204,6 @@ Examples:
 <context>
     <name>MeshFile</name>
     <message>
-        <source>the arm&apos;s file names no folder of meshes</source>
-        <translation>アームのファイルにメッシュのフォルダーが指定されていません</translation>
-    </message>
-    <message>
         <source>mesh_path = &quot;FOLDER&quot;</source>
         <translation>mesh_path = &quot;フォルダー&quot;</translation>
     </message>
@@ -6230,6 +6226,10 @@ Examples:
     <message>
         <source>the mesh cannot be read: %1</source>
         <translation>メッシュを読み込めません: %1</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s file does not set mesh_path</source>
+        <translation>アームのファイルに mesh_path がありません</translation>
     </message>
 </context>
 <context>
@@ -6315,8 +6315,8 @@ Examples:
         <translation>ファイル内の表 [[joint]]</translation>
     </message>
     <message>
-        <source>this arm only tells its joints, it cannot be moved</source>
-        <translation>このアームは関節を伝えるだけで、動かすことはできません</translation>
+        <source>this arm is read-only: it reports its joints but cannot be moved</source>
+        <translation>このアームは読み取り専用です。関節を伝えますが、動かすことはできません</translation>
     </message>
 </context>
 <context>
@@ -8381,8 +8381,8 @@ Run %2 --help for more.
 <context>
     <name>RemoteCameraText</name>
     <message>
-        <source>a picture is no JPEG, or was cut off (%1 bytes)</source>
-        <translation>画像がJPEGでないか、途中で切れています (%1バイト)</translation>
+        <source>the received data are not a complete JPEG picture (%1 bytes)</source>
+        <translation>受信したデータは完全なJPEG画像ではありません (%1バイト)</translation>
     </message>
 </context>
 <context>
@@ -9131,8 +9131,8 @@ Run %2 --help for more.
 <context>
     <name>RobotShape</name>
     <message>
-        <source>the arm&apos;s meshes have more than %1 triangles</source>
-        <translation>アームのメッシュの三角形が%1個を超えています</translation>
+        <source>the shapes of the arm have more than %1 triangles</source>
+        <translation>アームの形状の三角形が%1個を超えています</translation>
     </message>
 </context>
 <context>
@@ -9285,8 +9285,8 @@ Run %2 --help for more.
         <translation>; force_stop_Nは%1です</translation>
     </message>
     <message>
-        <source>UNGUARDED: %1 keeps its last command when this program ends or the network is cut</source>
-        <translation>保護なし: このプログラムが終了するかネットワークが切れても、%1は最後の指令を保ちます</translation>
+        <source>UNGUARDED: %1 keeps its last command when this program ends or the network fails</source>
+        <translation>保護なし: このプログラムが終了するかネットワークが故障しても、%1は最後の指令を保ちます</translation>
     </message>
 </context>
 <context>
@@ -9356,16 +9356,16 @@ Run %2 --help for more.
         <translation>力センサーのファイル（kind = &quot;ros_wrench&quot;）</translation>
     </message>
     <message>
-        <source>the robot ends a motion of this adapter itself</source>
-        <translation>このアダプターの動きはロボット自身が終わらせます</translation>
-    </message>
-    <message>
-        <source>nothing at the robot ends a motion of this adapter when this program ends or the network is cut</source>
-        <translation>このプログラムが終了するかネットワークが切れたとき、ロボット側にこのアダプターの動きを終わらせるものがありません</translation>
-    </message>
-    <message>
         <source>another adapter, or unguarded = true</source>
         <translation>別のアダプター、または unguarded = true</translation>
+    </message>
+    <message>
+        <source>with this adapter the robot stops by itself, so it is not unguarded</source>
+        <translation>このアダプターではロボットが自分で止まるので、保護なしではありません</translation>
+    </message>
+    <message>
+        <source>with this adapter nothing stops the robot when this program ends or the network fails</source>
+        <translation>このアダプターでは、このプログラムが終了するかネットワークが故障したとき、ロボットを止めるものがありません</translation>
     </message>
 </context>
 <context>
@@ -12240,6 +12240,16 @@ Run teleta-site --help for more.
         <source>Which interval had more?</source>
         <translation>どの区間がより大きかったですか?</translation>
     </message>
+    <message>
+        <source>drive</source>
+        <comment>unit of a level</comment>
+        <translation>駆動</translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <comment>unit of a level</comment>
+        <translation>バランス</translation>
+    </message>
 </context>
 <context>
     <name>StudyNoise</name>
@@ -14162,16 +14172,8 @@ Run teleta-site --help for more.
         <translation>1または3</translation>
     </message>
     <message>
-        <source>these are no three axes</source>
-        <translation>これは3つの軸ではありません</translation>
-    </message>
-    <message>
         <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
         <translation>[&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]のように、各軸を符号付きで1回ずつ</translation>
-    </message>
-    <message>
-        <source>these are no places without a taxel</source>
-        <translation>これはタクセルのない位置ではありません</translation>
     </message>
     <message>
         <source>these are no places of taxels</source>
@@ -14258,10 +14260,6 @@ Run teleta-site --help for more.
         <translation>最大%1個。それより多い場合は格子で</translation>
     </message>
     <message>
-        <source>a direction has no length</source>
-        <translation>長さのない方向があります</translation>
-    </message>
-    <message>
         <source>other numbers than [0, 0, 0]</source>
         <translation>[0, 0, 0]以外の数</translation>
     </message>
@@ -14272,6 +14270,18 @@ Run teleta-site --help for more.
     <message>
         <source>different places; they count from 0</source>
         <translation>異なる位置 (番号は0から)</translation>
+    </message>
+    <message>
+        <source>a normal is zero</source>
+        <translation>法線がゼロです</translation>
+    </message>
+    <message>
+        <source>these are not three distinct axes</source>
+        <translation>3つの異なる軸ではありません</translation>
+    </message>
+    <message>
+        <source>this mask does not fit the array</source>
+        <translation>このマスクはアレイに合いません</translation>
     </message>
 </context>
 <context>
@@ -20322,8 +20332,8 @@ Run teleta-site --help for more.
         <translation>%1：関節</translation>
     </message>
     <message>
-        <source>Look at mesh_path in the arm&apos;s file.</source>
-        <translation>アームのファイルの mesh_path を確認してください。</translation>
+        <source>Check mesh_path in the file with which you opened the arm or its site.</source>
+        <translation>アームまたはサイトを開いたファイルの mesh_path を確認してください。</translation>
     </message>
 </context>
 <context>

@@ -2651,7 +2651,7 @@ Examples:
         <translation>按文件连接运行 teleta-site 的站点（TOML；可重复）。</translation>
     </message>
     <message>
-        <source>Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; repeatable).</source>
+        <source>Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; repeatable).</source>
         <translation>打开文件中描述的通过 ROS 2 的机械臂，或 Modbus 设备报告的关节（TOML；可重复）。</translation>
     </message>
 </context>
@@ -6204,10 +6204,6 @@ Examples:
 <context>
     <name>MeshFile</name>
     <message>
-        <source>the arm&apos;s file names no folder of meshes</source>
-        <translation>机械臂的文件没有指明网格文件夹</translation>
-    </message>
-    <message>
         <source>mesh_path = &quot;FOLDER&quot;</source>
         <translation>mesh_path = &quot;文件夹&quot;</translation>
     </message>
@@ -6230,6 +6226,10 @@ Examples:
     <message>
         <source>the mesh cannot be read: %1</source>
         <translation>无法读取网格：%1</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s file does not set mesh_path</source>
+        <translation>机械臂的文件没有设置 mesh_path</translation>
     </message>
 </context>
 <context>
@@ -6315,8 +6315,8 @@ Examples:
         <translation>其文件中的表 [[joint]]</translation>
     </message>
     <message>
-        <source>this arm only tells its joints, it cannot be moved</source>
-        <translation>此机械臂只报告关节，无法移动</translation>
+        <source>this arm is read-only: it reports its joints but cannot be moved</source>
+        <translation>此机械臂为只读：它报告关节，但无法移动</translation>
     </message>
 </context>
 <context>
@@ -8381,8 +8381,8 @@ Run %2 --help for more.
 <context>
     <name>RemoteCameraText</name>
     <message>
-        <source>a picture is no JPEG, or was cut off (%1 bytes)</source>
-        <translation>图像不是 JPEG，或被截断（%1 字节）</translation>
+        <source>the received data are not a complete JPEG picture (%1 bytes)</source>
+        <translation>收到的数据不是完整的 JPEG 图像（%1 字节）</translation>
     </message>
 </context>
 <context>
@@ -9131,8 +9131,8 @@ Run %2 --help for more.
 <context>
     <name>RobotShape</name>
     <message>
-        <source>the arm&apos;s meshes have more than %1 triangles</source>
-        <translation>机械臂的网格超过 %1 个三角形</translation>
+        <source>the shapes of the arm have more than %1 triangles</source>
+        <translation>机械臂的形状超过 %1 个三角形</translation>
     </message>
 </context>
 <context>
@@ -9285,8 +9285,8 @@ Run %2 --help for more.
         <translation>；force_stop_N 为 %1</translation>
     </message>
     <message>
-        <source>UNGUARDED: %1 keeps its last command when this program ends or the network is cut</source>
-        <translation>无保护：本程序结束或网络中断时，%1 保持其最后的指令</translation>
+        <source>UNGUARDED: %1 keeps its last command when this program ends or the network fails</source>
+        <translation>无保护：本程序结束或网络出故障时，%1 保持其最后的指令</translation>
     </message>
 </context>
 <context>
@@ -9356,16 +9356,16 @@ Run %2 --help for more.
         <translation>力传感器的文件，kind = &quot;ros_wrench&quot;</translation>
     </message>
     <message>
-        <source>the robot ends a motion of this adapter itself</source>
-        <translation>此适配器的运动由机器人自行结束</translation>
-    </message>
-    <message>
-        <source>nothing at the robot ends a motion of this adapter when this program ends or the network is cut</source>
-        <translation>本程序结束或网络中断时，机器人一侧没有任何机制结束此适配器的运动</translation>
-    </message>
-    <message>
         <source>another adapter, or unguarded = true</source>
         <translation>另一个适配器，或 unguarded = true</translation>
+    </message>
+    <message>
+        <source>with this adapter the robot stops by itself, so it is not unguarded</source>
+        <translation>使用此适配器时机器人会自行停止，因此并非无保护</translation>
+    </message>
+    <message>
+        <source>with this adapter nothing stops the robot when this program ends or the network fails</source>
+        <translation>使用此适配器时，若本程序结束或网络出故障，没有任何机制使机器人停止</translation>
     </message>
 </context>
 <context>
@@ -12240,6 +12240,16 @@ Run teleta-site --help for more.
         <source>Which interval had more?</source>
         <translation>哪个区间更强？</translation>
     </message>
+    <message>
+        <source>drive</source>
+        <comment>unit of a level</comment>
+        <translation>驱动</translation>
+    </message>
+    <message>
+        <source>balance</source>
+        <comment>unit of a level</comment>
+        <translation>平衡</translation>
+    </message>
 </context>
 <context>
     <name>StudyNoise</name>
@@ -14162,16 +14172,8 @@ Run teleta-site --help for more.
         <translation>1 或 3</translation>
     </message>
     <message>
-        <source>these are no three axes</source>
-        <translation>这不是三个轴</translation>
-    </message>
-    <message>
         <source>each axis once with its sign, as [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</source>
         <translation>每个轴带符号出现一次，如 [&quot;+x&quot;, &quot;-y&quot;, &quot;-z&quot;]</translation>
-    </message>
-    <message>
-        <source>these are no places without a taxel</source>
-        <translation>这些不是没有触觉单元的位置</translation>
     </message>
     <message>
         <source>these are no places of taxels</source>
@@ -14258,10 +14260,6 @@ Run teleta-site --help for more.
         <translation>最多 %1 个；更多时请用网格</translation>
     </message>
     <message>
-        <source>a direction has no length</source>
-        <translation>有一个方向没有长度</translation>
-    </message>
-    <message>
         <source>other numbers than [0, 0, 0]</source>
         <translation>[0, 0, 0] 以外的数</translation>
     </message>
@@ -14272,6 +14270,18 @@ Run teleta-site --help for more.
     <message>
         <source>different places; they count from 0</source>
         <translation>不同的位置；编号从 0 开始</translation>
+    </message>
+    <message>
+        <source>a normal is zero</source>
+        <translation>某个法向量为零</translation>
+    </message>
+    <message>
+        <source>these are not three distinct axes</source>
+        <translation>这不是三个不同的轴</translation>
+    </message>
+    <message>
+        <source>this mask does not fit the array</source>
+        <translation>此掩码与阵列不符</translation>
     </message>
 </context>
 <context>
@@ -20322,8 +20332,8 @@ Run teleta-site --help for more.
         <translation>%1：关节</translation>
     </message>
     <message>
-        <source>Look at mesh_path in the arm&apos;s file.</source>
-        <translation>请检查机械臂文件中的 mesh_path。</translation>
+        <source>Check mesh_path in the file with which you opened the arm or its site.</source>
+        <translation>请检查打开机械臂或其站点所用文件中的 mesh_path。</translation>
     </message>
 </context>
 <context>

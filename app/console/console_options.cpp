@@ -150,7 +150,7 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("camera-model", tr("Calibration of that camera (JSON of teleta calibrate)."), tr("FILE"));
     const auto arm = option(
         "arm",
-        tr("Open an arm over ROS 2, or the joints that a Modbus device tells, described in a file (TOML; "
+        tr("Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; "
            "repeatable)."),
         tr("FILE"));
     const auto site = option(

@@ -252,13 +252,15 @@ std::vector<std::string> RunningSite::problems() const {
     std::vector<std::string> found;
     for (const Device& device : m_devices) {
         std::string reason = device.channel ? troubleOf(*device.channel) : core::describe(device.error);
-        // An arm that cannot be moved at all is as it should be.
+        // A read-only arm is no problem.
         if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get());
             joints != nullptr && reason.empty() && isMovable(joints->description()))
             reason = joints->device().hindrance();
         if (!reason.empty())
             found.push_back(device.id + ": " + reason);
     }
+    if (const std::optional<core::Error> error = m_streams ? m_streams->pictureProblem() : std::nullopt)
+        found.push_back(core::describe(*error));
     return found;
 }
 

@@ -133,7 +133,7 @@ void describeCamera(Keys& keys, const std::string& listPath, CameraRequest& requ
 void describeArm(Keys& keys, const std::string& listPath, ArmRequest& request) {
     describePath(
         keys, "arm", listPath, request.path,
-        "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`), or a Modbus device that tells "
+        "File that describes an arm over ROS 2 (`kind = \"ros_arm\"`), or a Modbus device that reports "
         "the joints of one (`kind = \"modbus\"`)");
 }
 

@@ -80,7 +80,7 @@ struct TaxelsRequest {
     std::string path; ///< the file, see readArrayFile()
 };
 
-/// An arm over ROS 2, or one whose joints a Modbus device tells.
+/// An arm over ROS 2, or one whose joints a Modbus device reports.
 struct ArmRequest {
     std::string path; ///< the file that describes it, see ros_arm::readRosArm(), modbus::readRegisterMap()
     /// The devices that the file may require; null: nobody knows them, and such a file is refused.

@@ -59,7 +59,8 @@ ModbusJoints::ModbusJoints(const RegisterMap& map, LinkOpener opener, const core
 }
 
 std::string ModbusJoints::hindrance() const {
-    return QCoreApplication::translate("Modbus", "this arm only tells its joints, it cannot be moved")
+    return QCoreApplication::translate("Modbus",
+                                       "this arm is read-only: it reports its joints but cannot be moved")
         .toStdString();
 }
 

@@ -212,7 +212,7 @@ std::vector<std::string> controllersOf(const std::vector<dds::FoundEnd>& ends, s
 void findGuard(Findings& findings, const RosArmFile& file) {
     if (!isGuarded(file.adapter))
         findings.note("guard", ArmCheckText::tr("UNGUARDED: %1 keeps its last command when this program ends "
-                                                "or the network is cut")
+                                                "or the network fails")
                                    .arg(asText(file.controller)));
 }
 

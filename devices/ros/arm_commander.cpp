@@ -71,9 +71,10 @@ private:
     ros::JointJog m_message{};
 };
 
-/// Numbers for a controller that hands them on to the joints and keeps the last ones for ever: rates, or
-/// positions. In a pause the rates fall to zero as with STOP, blindly, and zeros are sent as long as it
-/// lasts; positions end where that braking ends, which is where the controller then stays by itself.
+/// Numbers for a controller that forwards them to the joints and keeps the last ones for ever: rates, or
+/// positions. In a pause the rates fall to zero as with STOP, blindly. Rates are then zero as long as the
+/// pause lasts; positions end where that braking ends, and the controller stays there. An arm that is blocked
+/// is told to stay where it is.
 class ForwardCommander : public ArmCommander {
 public:
     ForwardCommander(dds::Writer<ros::Float64MultiArray> writer, const RosArmFile& file)
@@ -84,37 +85,55 @@ public:
     [[nodiscard]] bool send(const MotionCommand& command) override {
         m_position = command.commanded;
         m_rate = command.rate;
-        m_after = 0;
+        m_repeated = 0;
+        m_paused = false;
         return write();
     }
 
-    [[nodiscard]] bool pause(double dt_s, bool alone) override {
+    [[nodiscard]] bool pause(const MotionPause& pause) override {
         if (m_rate.empty())
             return true; // nothing was ever commanded
-        if (isAtRest()) {
-            // Whoever else commands the arm is not to be disturbed for ever.
-            const bool ends = !m_sendsRates || !alone;
-            if (ends && m_after >= kRepeats)
-                return true;
-            m_after = std::min(m_after + 1, kRepeats);
+        m_paused = true;
+        if (pause.blocked.size() == m_rate.size() && m_repeated == 0) {
+            m_position = pause.blocked;
+            halt();
         }
-        for (std::size_t i = 0; i < m_rate.size(); ++i) {
-            const double fall = std::min(m_deceleration * dt_s, std::abs(m_rate[i]));
-            const double before = m_rate[i];
-            m_rate[i] -= std::copysign(fall, before);
-            m_position[i] += 0.5 * (before + m_rate[i]) * dt_s;
+        if (!isAtRest()) {
+            brake(pause.dt_s);
+            return write();
         }
+        // Whoever else commands the arm is not to be disturbed for ever.
+        const bool goesOn = m_sendsRates && pause.alone;
+        if (isDone() && !goesOn)
+            return true;
+        m_repeated = std::min(m_repeated + 1, kRepeats);
         return write();
     }
 
-    [[nodiscard]] bool isAtRest() const override {
-        return std::ranges::all_of(m_rate, [](double rate) { return rate == 0.0; });
+    [[nodiscard]] bool isBraking() const override { return m_paused && !isAtRest(); }
+    [[nodiscard]] bool isDone() const override {
+        return m_rate.empty() || (isAtRest() && m_repeated >= kRepeats);
+    }
+    void halt() override { std::ranges::fill(m_rate, 0.0); }
+    void forget() override {
+        m_rate = {};
+        m_position = {};
     }
     [[nodiscard]] const dds::AnyWriter& writer() const override { return m_writer; }
 
 private:
-    /// Of the last command, should one be lost.
     static constexpr int kRepeats = 20;
+
+    [[nodiscard]] bool isAtRest() const {
+        return std::ranges::all_of(m_rate, [](double rate) { return rate == 0.0; });
+    }
+    void brake(double dt_s) {
+        for (std::size_t i = 0; i < m_rate.size(); ++i) {
+            const double before = m_rate[i];
+            m_rate[i] -= std::copysign(std::min(m_deceleration * dt_s, std::abs(before)), before);
+            m_position[i] += 0.5 * (before + m_rate[i]) * dt_s;
+        }
+    }
 
     bool write() {
         core::JointVector& values = m_sendsRates ? m_rate : m_position;
@@ -127,7 +146,8 @@ private:
     double m_deceleration; ///< rad/s2 or m/s2
     core::JointVector m_position;
     core::JointVector m_rate; ///< empty: nothing was commanded yet
-    int m_after = 0;          ///< commands since the arm is at rest
+    bool m_paused = false;    ///< the last call was pause()
+    int m_repeated = 0;       ///< commands since the arm is at rest, kRepeats at most
     ros::Float64MultiArray m_message{};
 };
 

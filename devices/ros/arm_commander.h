@@ -24,6 +24,14 @@ struct MotionCommand {
     core::JointVector rate;      ///< with which q_c moves, rad/s or m/s
 };
 
+/// What is known where no motion is commanded.
+struct MotionPause {
+    double dt_s = 0.0; ///< since the last command
+    bool alone = true; ///< nobody else commands the arm
+    /// Where an arm stands that does not follow; empty: it follows, or its joints are not known.
+    core::JointVector blocked{};
+};
+
 /// Sends an arm's commands in the way of its file's adapter. Thread: one.
 class ArmCommander {
 public:
@@ -35,12 +43,17 @@ public:
 
     /// False: not sent in time.
     [[nodiscard]] virtual bool send(const MotionCommand& command) = 0;
-    /// Instead of send(), when there is no motion to be commanded for whatever reason: brings an arm to rest
-    /// that nothing at the robot stops, and keeps it there. alone: nobody else commands it. False: not sent
-    /// in time.
-    [[nodiscard]] virtual bool pause(double /*dt_s*/, bool /*alone*/) { return true; }
-    /// After the last command the arm comes to rest, or stands, without a further call.
-    [[nodiscard]] virtual bool isAtRest() const { return true; }
+    /// Instead of send(), when no motion is commanded for whatever reason: brings an arm to rest that nothing
+    /// at the robot stops, and keeps it there. False: not sent in time.
+    [[nodiscard]] virtual bool pause(const MotionPause& /*pause*/) { return true; }
+    /// pause() brings the arm to rest now, and it is not there yet.
+    [[nodiscard]] virtual bool isBraking() const { return false; }
+    /// It is at rest, and was told so often enough that the loss of a message does not matter.
+    [[nodiscard]] virtual bool isDone() const { return true; }
+    /// Ends braking: the next pause() commands rest.
+    virtual void halt() {}
+    /// Nothing was commanded yet.
+    virtual void forget() {}
     [[nodiscard]] virtual const dds::AnyWriter& writer() const = 0;
 };
 

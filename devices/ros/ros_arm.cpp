@@ -30,8 +30,8 @@ constexpr std::size_t kQueueSamples = 4096;
 constexpr std::size_t kBatchSamples = 64;
 /// At 1 kHz a thread that sleeps for some ms must not lose samples.
 constexpr int kReaderDepth = 64;
-/// For an arm to come to rest when it is closed.
-constexpr std::int64_t kLongestRest_ns = 1'000'000'000;
+/// Of an arm that is closed; then it is told to stand at once.
+constexpr std::int64_t kLongestBraking_ns = 1'000'000'000;
 /// Between looks for other programs.
 constexpr std::int64_t kLook_ns = 100'000'000;
 
@@ -137,16 +137,18 @@ void RosArm::run(const std::stop_token& stop) {
     m_discontinuity = true;
 }
 
-/// A trajectory controller does it by itself.
+/// Trajectory controllers and MoveIt Servo stop by themselves.
 void RosArm::comeToRest() {
-    const std::int64_t end_ns = core::steadyNow_ns() + kLongestRest_ns;
-    do {
-        (void)m_ends.commander->pause(1e-9 * static_cast<double>(m_timing.period_ns), !m_otherWriter);
-        if (m_ends.commander->isAtRest())
-            break;
+    ArmCommander& commander = *m_ends.commander;
+    const std::int64_t begin_ns = core::steadyNow_ns();
+    while (!commander.isDone()) {
+        if (core::steadyNow_ns() - begin_ns > kLongestBraking_ns)
+            commander.halt();
+        (void)commander.pause(
+            {.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns), .alone = !m_otherWriter});
         std::this_thread::sleep_for(std::chrono::nanoseconds(m_timing.period_ns));
-    } while (core::steadyNow_ns() < end_ns);
-    (void)m_ends.commander->pause(1.0, !m_otherWriter);
+    }
+    commander.forget();
 }
 
 void RosArm::takeJoints() {
@@ -213,7 +215,9 @@ void RosArm::step(std::int64_t now_ns) {
     input.engagements = m_stop.engagements();
     const bool clockOff = m_file.adapter == Adapter::moveitServo &&
                           !(m_clockDifference_s >= kEarliestStamp_s && m_clockDifference_s <= kLatestStamp_s);
-    input.ready = m_controllers > 0 && now_ns - m_opened_ns >= kSettling_ns && !clockOff;
+    const bool ready = m_controllers > 0 && now_ns - m_opened_ns >= kSettling_ns && !clockOff;
+    // What brakes blindly ends that before it takes another command.
+    input.ready = ready && !m_ends.commander->isBraking();
     input.trouble = m_watch.takeFault();
     if (!input.trouble && m_otherWriter)
         input.trouble = ArmFault{ArmFaultKind::otherWriter, m_file.commandTopic()};
@@ -230,16 +234,23 @@ void RosArm::step(std::int64_t now_ns) {
     std::string lacking = m_required ? m_required->firstMissing(m_file.required) : std::string();
     input.lacking = !lacking.empty();
     const auto points = m_mover.step(input);
-    const bool sent =
-        points ? m_ends.commander->send({*points, m_mover.state().commanded, m_mover.state().rate})
-               : m_ends.commander->pause(1e-9 * static_cast<double>(m_timing.period_ns), !m_otherWriter);
+    const MoverState& mover = m_mover.state();
+    bool sent = true;
+    if (points) {
+        sent = m_ends.commander->send({*points, mover.commanded, mover.rate});
+    } else {
+        MotionPause pause{.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns), .alone = !m_otherWriter};
+        if (joints && mover.fault && mover.fault->kind == ArmFaultKind::notFollowing)
+            pause.blocked = joints->position;
+        sent = m_ends.commander->pause(pause);
+    }
     m_unsent += sent ? 0 : 1;
 
     RosArmState state;
-    state.mover = m_mover.state();
+    state.mover = mover;
     state.missing = m_watch.missing(now_ns);
     state.controllers = m_controllers;
-    state.ready = input.ready;
+    state.ready = ready;
     state.unsent = m_unsent;
     state.counters = m_watch.joiner().counters();
     if (joints)

@@ -26,7 +26,7 @@ struct SiteArm {
     core::ArmSource* source = nullptr;                   ///< not null; outlives this
     std::function<ArmHealth()> health;                   ///< empty: it has no faults
     std::shared_ptr<const arm_model::SerialChain> chain; ///< null: not known
-    std::string adapter = "simulated";                   ///< "none": it only tells its joints
+    std::string adapter = "simulated";                   ///< "none": it is read-only
     bool guarded = true; ///< something at the robot ends a motion when nothing more comes
     std::string effortUnit = "Nm";
 };

@@ -60,6 +60,8 @@ public:
 
     /// What is sent, in the order in which it was added. Error: a stream's topic could not be opened.
     [[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> streams() const;
+    /// As PictureSender::problem().
+    [[nodiscard]] std::optional<core::Error> pictureProblem() const { return m_pictureSender.problem(); }
 
 private:
     struct Stream {

@@ -193,7 +193,7 @@ bool TaxelGrid::describePositions(core::Keys& keys, std::size_t count, core::Nee
         places.push_back({positions_mm[i][0] / 1e3, positions_mm[i][1] / 1e3,
                           heights_mm.empty() ? 0.0 : heights_mm[i] / 1e3});
     if (!setNormals(normals, places))
-        refuse(keys, "normals", TaxelsText::tr("a direction has no length"),
+        refuse(keys, "normals", TaxelsText::tr("a normal is zero"),
                TaxelsText::tr("other numbers than [0, 0, 0]"));
     else if (const auto same = core::TaxelPlaces::sameOf(places))
         refuse(keys, "positions_mm",
@@ -239,7 +239,7 @@ void TaxelGrid::describeAxes(core::Keys& keys) {
                         "the rows, z out of the surface. What presses is a negative force along z",
                         Need::optional);
     if (!setAxes(axes))
-        refuse(keys, "axes", TaxelsText::tr("these are no three axes"),
+        refuse(keys, "axes", TaxelsText::tr("these are not three distinct axes"),
                TaxelsText::tr("each axis once with its sign, as [\"+x\", \"-y\", \"-z\"]"));
 }
 
@@ -275,7 +275,7 @@ void TaxelGrid::describeGrid(core::Keys& keys) {
         return value >= 0.0 && value == std::floor(value) && value < static_cast<double>(m_grid.taxels());
     };
     if (!std::ranges::all_of(mask, isPlace) || mask.size() >= m_grid.taxels())
-        refuse(keys, "mask", TaxelsText::tr("these are no places without a taxel"),
+        refuse(keys, "mask", TaxelsText::tr("this mask does not fit the array"),
                TaxelsText::tr("numbers from 0 to %1, and at least one place with a taxel")
                    .arg(m_grid.taxels() - 1));
     else if (different.size() != places.size() || !std::ranges::all_of(places, isPlace))

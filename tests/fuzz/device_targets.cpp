@@ -195,9 +195,9 @@ bool taxelsFile(Bytes bytes) {
     constexpr std::size_t kMostShown = 4096;
     if (file->grid.values() <= kMostShown) {
         (void)decodeInPieces(file->format, taxels::FrameDecoder::Framing::stream, bytes);
-        std::vector<float> loads(file->grid.layout().taxels(), kUntouched);
+        std::vector<float> loads(file->grid.layout().values(), kUntouched);
         file->grid.place(std::vector<float>(file->grid.values(), 1.0F), loads);
-        require(static_cast<std::size_t>(std::ranges::count_if(loads, isTaxel)) == file->grid.taxels(),
+        require(static_cast<std::size_t>(std::ranges::count_if(loads, isTaxel)) == file->grid.values(),
                 "each taxel has a place of its own");
     }
     return true;

@@ -114,20 +114,15 @@ QString MotorChart::wrapped(const QCustomPlot& chart, const QString& text) const
     // Before the chart is laid out its axes have no size yet.
     const int axes_px = base::em(this, 5);
     const double room_px = std::max(0.92 * (chart.width() - axes_px), 8.0 * base::em(this, 1));
-    const QFontMetricsF metrics(font());
     QStringList lines;
     for (const QString& paragraph : text.split(QLatin1Char('\n'))) {
-        QString line;
-        for (const QString& word : paragraph.split(QLatin1Char(' '))) {
-            const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
-            if (!line.isEmpty() && metrics.horizontalAdvance(longer) > room_px) {
-                lines << line;
-                line = word;
-            } else {
-                line = longer;
-            }
+        QTextLayout layout(paragraph, font()); // knows where each language may be broken
+        layout.beginLayout();
+        for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+            line.setLineWidth(room_px);
+            lines << paragraph.mid(line.textStart(), line.textLength()).trimmed();
         }
-        lines << line;
+        layout.endLayout();
     }
     return lines.join(QLatin1Char('\n'));
 }

@@ -29,7 +29,8 @@ EventList::EventList(EventListModel& model, QWidget* parent)
     m_table->setWordWrap(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setResizeContentsPrecision(0); // what is in sight
-    m_table->horizontalHeader()->setSectionResizeMode(EventListModel::kEventColumn, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(base::em(this, 1));
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);

@@ -105,12 +105,12 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
 QStringList EventModel::titles() const {
     static_assert(event == kEventColumn);
     const QString mm = QStringLiteral("mm");
-    return {base::titleWithUnit(tr("Time"), QStringLiteral("s")),
+    return {base::titleOverUnit(tr("Time"), QStringLiteral("s")),
             tr("Event"),
             tr("Contact"),
-            base::titleWithUnit(tr("Along", "the tube"), mm),
-            base::titleWithUnit(tr("Around", "the tube"), QStringLiteral("\u00b0")),
-            base::titleWithUnit(tr("Depth"), mm)};
+            base::titleOverUnit(tr("Along", "the tube"), mm),
+            base::titleOverUnit(tr("Around", "the tube"), QStringLiteral("\u00b0")),
+            base::titleOverUnit(tr("Depth"), mm)};
 }
 
 QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -115,9 +115,11 @@ void LawList::showFindings() {
     m_list->setVisible(!m_findings.empty());
     m_fix->setVisible(!m_findings.empty());
     // The properties below have what an empty list does not need.
-    setMaximumHeight(m_findings.empty()
-                         ? std::max(m_headline->sizeHint().height(), m_fix->sizeHint().height())
-                         : QWIDGETSIZE_MAX);
+    const int most = m_findings.empty() ? m_headline->sizeHint().height() : QWIDGETSIZE_MAX;
+    if (maximumHeight() != most) {
+        setMaximumHeight(most);
+        emit heightChanged();
+    }
     if (!m_findings.empty())
         m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
     takeCurrent();

@@ -35,6 +35,8 @@ public:
 signals:
     /// The user has chosen a finding.
     void shown(int finding);
+    /// The list has got its first warning or lost its last one, and needs another height.
+    void heightChanged();
 
 private:
     void checkLater();

@@ -97,6 +97,10 @@ PatternEditor::PatternEditor(QWidget* parent)
     connect(m_inspector, &PatternInspector::loopEdited, this, [this](double begin_s, double end_s) {
         m_timeline->setLoop(begin_s < end_s ? std::optional(Span{begin_s, end_s}) : std::nullopt);
     });
+    connect(m_laws, &LawList::heightChanged, this, [this] {
+        if (m_numbers->orientation() == Qt::Vertical)
+            m_numbers->setSizes({0, height()});
+    });
     connect(m_laws, &LawList::shown, this, &PatternEditor::showFinding);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (now != nullptr && isAncestorOf(now))

@@ -86,6 +86,20 @@ QString displayCondition(const StudyTask& task, const std::string& condition) {
     return inLanguage(task, condition, condition);
 }
 
+QString displayUnit(Vary vary) {
+    switch (vary) {
+    case Vary::intensity:
+        return QCoreApplication::translate("StudyNames", "drive", "unit of a level");
+    case Vary::balance:
+        return QCoreApplication::translate("StudyNames", "balance", "unit of a level");
+    case Vary::onset:
+    case Vary::burst:
+    case Vary::duration:
+        break;
+    }
+    return QString::fromLatin1(unitOf(vary));
+}
+
 QString displayQuestion(const StudyTask& task) {
     if (!task.levels.question.empty())
         return inLanguage(task, "?", task.levels.question);

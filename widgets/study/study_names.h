@@ -15,6 +15,9 @@ namespace teleta::study {
 [[nodiscard]] QString displayName(const StudyTask& task, const StudyPattern& pattern);
 [[nodiscard]] QString displayCondition(const StudyTask& task, const std::string& condition);
 
+/// The unit of the levels of a task: "s", or "drive" in the language.
+[[nodiscard]] QString displayUnit(Vary vary);
+
 /// What a participant is asked in a task with levels, in the language; empty for patterns.
 [[nodiscard]] QString displayQuestion(const StudyTask& task);
 

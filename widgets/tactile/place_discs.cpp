@@ -53,7 +53,7 @@ void paintDiscRings(QPainter& painter, const HeatmapLayout& layout, const Heatma
         const contact::Contact* contact = content.contactAt(taxel);
         if (contact == nullptr)
             return;
-        const double inset = 0.5 * width + 1.0;
+        const double inset = std::min(0.5 * width + 1.0, 0.4 * box.width());
         const QRectF ring = box.adjusted(inset, inset, -inset, -inset);
         painter.setPen(QPen(kCasing, width + 2.0));
         painter.drawEllipse(ring);

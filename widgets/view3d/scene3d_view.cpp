@@ -408,7 +408,7 @@ void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
 
 void Scene3dView::setRobot(std::shared_ptr<const RobotShape> shape) {
     m_parts->scene.setRobot(std::move(shape));
-    sceneMoved(true);
+    sceneMoved(false);
 }
 
 void Scene3dView::setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,

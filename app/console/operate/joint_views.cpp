@@ -96,11 +96,15 @@ void JointViews::loadRobot() {
          folder = m_arm->meshFolder()](const std::shared_ptr<Loaded>& loaded) {
             if (arm.lock() != m_arm || !m_arm)
                 return;
-            if (*loaded)
+            if (*loaded && !(*loaded)->isEmpty()) {
                 m_scene.setRobot(std::make_shared<const view3d::RobotShape>(std::move(**loaded)));
-            else if (!folder.empty()) // without a folder nobody expects meshes
+                m_hasRobot = true;
+                if (m_shown)
+                    showRobot(*m_shown);              // no newer reading may come
+            } else if (!*loaded && !folder.empty()) { // without a folder nobody expects meshes
                 emit meshesFailed(tr("The arm is drawn without its meshes: %1")
                                       .arg(QString::fromStdString(core::describe(loaded->error()))));
+            }
         });
 }
 
@@ -118,6 +122,8 @@ void JointViews::clear() {
     }
     m_tipOf = {};
     m_dials.reset();
+    m_hasRobot = false;
+    m_shown.reset();
     m_present = 0;
     m_asked = false;
     m_silent = false;
@@ -238,7 +244,9 @@ void JointViews::showChain(const core::JointSample& sample) {
         link.radius_m = radius_m;
     m_scene.setArmLinks(links);
     m_scene.setJoints(m_dials->at(sample.angle_rad, radius_m));
-    showRobot(sample);
+    m_shown = sample;
+    if (m_hasRobot)
+        showRobot(sample);
 }
 
 /// Where the arm was told to be stands beside it as a ghost, as long as both can be told apart.

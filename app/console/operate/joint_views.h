@@ -92,10 +92,12 @@ private:
         m_kept;
     std::vector<core::JointSample> m_samples; ///< of a tick
     TipOf m_tipOf;
-    std::optional<ChainDials> m_dials; ///< of an arm with a chain
-    std::uint64_t m_present = 0;       ///< ArmSource::presentObjects(), as drawn
-    double m_tip_s = 0.0;              ///< of the arm, when the tip was told last
-    bool m_asked = false;              ///< the last command was to move
+    std::optional<ChainDials> m_dials;        ///< of an arm with a chain
+    bool m_hasRobot = false;                  ///< its shape is in the 3-D view
+    std::optional<core::JointSample> m_shown; ///< of an arm with a chain
+    std::uint64_t m_present = 0;              ///< ArmSource::presentObjects(), as drawn
+    double m_tip_s = 0.0;                     ///< of the arm, when the tip was told last
+    bool m_asked = false;                     ///< the last command was to move
     bool m_silent = false;
     std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
     std::int64_t m_sampleCame_ns = 0; ///< when it was seen first

@@ -131,8 +131,10 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     connect(m_scene, &view3d::Scene3dView::failed, this, report);
     connect(m_arm, &ArmViews::exportFailed, this, report);
     connect(m_arm, &ArmViews::meshesFailed, this, [this](const QString& text) {
-        m_messages->post(
-            {chrome::Message::Severity::warning, text, tr("Look at mesh_path in the arm's file."), {}});
+        m_messages->post({chrome::Message::Severity::warning,
+                          text,
+                          tr("Check mesh_path in the file with which you opened the arm or its site."),
+                          {}});
     });
     connect(m_camera, &CameraViews::exportFailed, this, report);
     connect(m_gel, &GelViews::exportFailed, this, report);

@@ -355,7 +355,7 @@ void StudyScenes::describeRunning(const StudyController& controller, study::Sess
         scene.subtitle +=
             QLatin1Char('\n') + tr("Track %1, level %2 %3", "name, number, unit")
                                     .arg(text(trial->track), QLocale().toString(*trial->level, 'g', 3),
-                                         QString::fromLatin1(study::unitOf(task.levels.vary)));
+                                         study::displayUnit(task.levels.vary));
         if (const auto strength = controller.strengthOf(*trial))
             scene.subtitle += tr(" (%1 Hz, force %2 %)", "behind a level; force as a share of full")
                                   .arg(QLocale().toString(strength->speed_Hz, 'f', 0),

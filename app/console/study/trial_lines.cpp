@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/trial_lines.h"
 
+#include "widgets/study/study_names.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -54,7 +56,7 @@ std::vector<study::OutcomeLine> outcomeLines(const std::vector<study::TrialResul
             line.level = LineText::tr("%1: %2 %3", "track, level, unit")
                              .arg(QString::fromStdString(result->planned.track),
                                   QLocale().toString(*result->planned.level, 'g', 3),
-                                  QString::fromLatin1(study::unitOf(task.levels.vary)));
+                                  study::displayUnit(task.levels.vary));
         line.presented = letter(result->planned.stimulus);
         line.answered = result->response ? letter(*result->response) : QStringLiteral("\u2013");
         line.responseTime_s = result->responseTime_s;

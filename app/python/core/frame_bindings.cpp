@@ -205,6 +205,11 @@ py::tuple readFrames(const py::object& file, const py::dict& arguments) {
         const py::gil_scoped_release released;
         return frames::readFrames(request, [&work] { return work.goOn(); });
     }());
+    if (series.layout.pitchX_m != series.layout.pitchY_m)
+        throw py::value_error(
+            "the file's columns are " + std::to_string(1e3 * series.layout.pitchX_m) +
+            " mm apart and its rows " + std::to_string(1e3 * series.layout.pitchY_m) +
+            " mm; features() and contacts() take one pitch, so use the program: teleta features");
     const auto count = static_cast<py::ssize_t>(series.frames());
     return py::make_tuple(
         arrayOf(std::move(series.time_s)),

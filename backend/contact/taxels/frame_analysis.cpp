@@ -14,7 +14,8 @@ namespace {
 ConditioningSettings withoutAbsent(ConditioningSettings settings, const core::TaxelLayout& layout) {
     if (layout.absent().empty())
         return settings;
-    settings.dead.resize(layout.taxels(), 0);
+    if (settings.dead.size() != layout.taxels()) // a list of another size is none
+        settings.dead.assign(layout.taxels(), 0);
     for (std::size_t i = 0; i < layout.taxels(); ++i)
         if (layout.isAbsent(i))
             settings.dead[i] = 1;
@@ -66,6 +67,7 @@ void FrameAnalysis::reset() {
 
 void FrameAnalysis::analyse(std::span<const float> raw, double time_s, TaxelFrame& frame) {
     const std::size_t taxels = m_layout.taxels();
+    frame.layout = m_layout;
     frame.load_N.resize(taxels);
     frame.dead.resize(taxels);
     std::size_t dead = 0;

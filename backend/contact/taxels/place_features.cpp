@@ -81,19 +81,26 @@ void PlaceFeatures::addPrincipalAxis(std::span<const float> load_N, TactileFeatu
         return;
     }
     const bool weighted = m_types.settings().orientation == OrientationMode::weighted;
-    double w = 0.0, ww = 0.0, meanX_m = 0.0, meanY_m = 0.0;
     const auto weightOf = [&](std::size_t i) {
         return weighted ? static_cast<double>(load_N[i]) / features.peak_N : 1.0;
     };
+    // Without the heaviest taxel, beside which the others may be lost: w^2 - sum w_i^2 = 2 w_h r + r^2 - sum
+    // r_i^2.
+    const std::size_t heaviest = *std::ranges::max_element(m_active, {}, weightOf);
+    double rest = 0.0, restSquares = 0.0, meanX_m = 0.0, meanY_m = 0.0;
     for (const std::size_t i : m_active) {
-        w += weightOf(i);
-        ww += weightOf(i) * weightOf(i);
+        if (i != heaviest) {
+            rest += weightOf(i);
+            restSquares += weightOf(i) * weightOf(i);
+        }
         meanX_m += weightOf(i) * (*m_places)[i].x_m;
         meanY_m += weightOf(i) * (*m_places)[i].y_m;
     }
+    const double w = weightOf(heaviest) + rest;
+    const double freedom = 2.0 * weightOf(heaviest) * rest + std::max(0.0, rest * rest - restSquares);
     meanX_m /= w;
     meanY_m /= w;
-    Covariance covariance{.scale = w / (w * w - ww)};
+    Covariance covariance{.scale = w / freedom};
     for (const std::size_t i : m_active) {
         const double x_m = (*m_places)[i].x_m - meanX_m;
         const double y_m = (*m_places)[i].y_m - meanY_m;

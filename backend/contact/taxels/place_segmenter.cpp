@@ -46,13 +46,11 @@ std::span<Contact> PlaceSegmenter::segment(std::span<const float> load_N,
 /// The sums of each region, with those of load times place where the centroid will be.
 void PlaceSegmenter::measure() {
     m_regions.clear();
-    m_summits.clear();
     for (const std::size_t i : m_watershed.order()) {
         const std::size_t summit = m_watershed.rootOf(i);
         const auto index = static_cast<int>(i);
         if (summit == i) { // the first of its region
             m_regionOf[i] = m_regions.size();
-            m_summits.push_back(i);
             m_regions.push_back({.peak_N = m_load_N[i], .minColumn = index, .maxColumn = index});
         }
         Contact& region = m_regions[m_regionOf[summit]];

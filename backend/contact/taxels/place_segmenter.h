@@ -44,7 +44,6 @@ private:
     std::vector<double> m_load_N;
     std::vector<std::uint8_t> m_active;
     std::vector<Contact> m_regions;
-    std::vector<std::size_t> m_summits;  ///< of the regions
     std::vector<std::size_t> m_regionOf; ///< of each taxel that is a summit
     std::vector<std::size_t> m_order;
 };

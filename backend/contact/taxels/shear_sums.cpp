@@ -45,8 +45,9 @@ void setFeatureShear(TaxelFrame& frame, MomentRange range) {
     const auto threshold_N = static_cast<float>(features.threshold_N);
     ShearLoad shear;
     for (std::size_t i = 0; i < frame.load_N.size(); ++i) {
-        const bool isActive = frame.load_N[i] > 0.0F && frame.load_N[i] >= threshold_N;
-        if (frame.dead[i] == 0 && (isActive || range == MomentRange::image))
+        // What does not press has no shear.
+        const bool counts = range == MomentRange::image || frame.load_N[i] >= threshold_N;
+        if (frame.dead[i] == 0 && frame.load_N[i] > 0.0F && counts)
             add(frame, i, shear);
     }
     finish(features.force_N, *features.copX_m, *features.copY_m, shear);

@@ -8,7 +8,7 @@ namespace teleta::core {
 
 /// A planar grid of taxels. Frame {s}: origin at the geometric centre, x along the columns, y along the rows
 /// (row 0 has the most negative y), z out of the surface. Frames are stored row-major. Valid: 1 <= rows,
-/// columns <= 1024; pitches > 0 and finite. Without a pitch of its own y has that of x.
+/// columns <= 1024; pitches > 0 and finite. pitchY_m is pitchX_m unless it is given.
 struct ArrayLayout {
     static constexpr int kMaximumSide = 1024;
 

@@ -4,20 +4,22 @@
 #include "backend/core/data/array_layout.h"
 #include "backend/core/data/taxel_places.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace teleta::core {
 
 /// What a frame of a tactile source looks like: where its taxels stand in {s}, and what each of them tells.
 /// - On a grid, of which some places may have no taxel. What a frame has there is NaN.
-/// - Or at places of their own. grid() then is one row of all taxels: it counts them, but does not place
-/// them. Components: 1, the load that presses, or 3, the force (or field) on the taxel along x, y and z of
-/// {s}, one taxel after the other. What presses has a negative z there, and is a positive load. Values of
-/// this type are cheap to copy and compare. Thread: any.
+/// - Or at places of their own. grid() then is one row of all taxels: use it only for the
+/// number of taxels. Components: 1, the load that presses, or 3, the force (or field) on the taxel along x, y
+/// and z of {s}, one taxel after the other. What presses has a negative z there, and is a positive load.
+/// Values of this type are cheap to copy and compare. Thread: any.
 class TaxelLayout {
 public:
     static constexpr int kVector = 3;
@@ -32,9 +34,9 @@ public:
         , m_places(std::move(places))
         , m_components(components) {}
 
-    /// Places of the grid without a taxel: 1; empty: each has one.
+    /// Places of the grid without a taxel: 1, one entry a place; of another size: each has one.
     void setAbsent(std::vector<std::uint8_t> absent) {
-        m_absent = std::ranges::find(absent, 1) == absent.end()
+        m_absent = absent.size() != taxels() || std::ranges::find(absent, 1) == absent.end()
                        ? nullptr
                        : std::make_shared<const std::vector<std::uint8_t>>(std::move(absent));
     }

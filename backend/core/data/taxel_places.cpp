@@ -65,24 +65,17 @@ void TaxelPlaces::measureSpacings() {
 }
 
 void TaxelPlaces::joinNeighbours() {
-    std::vector<std::size_t> near;
-    for (std::size_t i = 0; i < m_places.size(); ++i) {
-        // What lies between two taxels is no further from either than they are from each other.
-        near.clear();
-        for (std::size_t k = 0; k < m_places.size(); ++k)
-            if (k != i &&
-                distance_m(m_places[i], m_places[k]) <= kReach * std::max(m_spacing_m[i], m_spacing_m[k]))
-                near.push_back(k);
-        for (const std::size_t k : near) {
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
             const double apart_m = distance_m(m_places[i], m_places[k]);
-            if (k < i && std::ranges::none_of(m_places, [&](const TaxelPlace& other) {
+            if (apart_m > kReach * std::max(m_spacing_m[i], m_spacing_m[k]) ||
+                std::ranges::any_of(m_places, [&](const TaxelPlace& other) {
                     return liesBetween(other, m_places[i], m_places[k], apart_m);
-                })) {
-                m_neighbours[i].push_back(k);
-                m_neighbours[k].push_back(i);
-            }
+                }))
+                continue;
+            m_neighbours[i].push_back(k);
+            m_neighbours[k].push_back(i);
         }
-    }
 }
 
 } // namespace teleta::core

@@ -23,7 +23,8 @@ struct TaxelPlace {
 /// The places of taxels that stand on no grid, and what follows from them:
 /// - neighbours, by the Gabriel graph: two taxels are neighbours when no other lies inside of the ball whose
 ///   diameter joins them, and they are no further apart than kReach times the larger of their spacings. On a
-///   grid these are the eight around a taxel, whether its cells are squares or rectangles.
+///   grid of squares these are the eight around a taxel. The reach ends that in long cells: beyond sides of
+///   1 : 2.3 the diagonals are missing, beyond 1 : 2.5 the rows are not joined.
 /// - spacing: the distance to the nearest taxel; that of a single taxel is kLoneSpacing_m.
 /// Immutable, so that all frames of a source share it. Thread: any.
 class TaxelPlaces {

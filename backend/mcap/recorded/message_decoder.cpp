@@ -276,7 +276,7 @@ std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
         return ifFits(TopicRole::multiArray, TopicKind::array);
     if (type == "geometry_msgs/msg/WrenchStamped")
         return unlessWanted(TopicRole::wrench);
-    if (type == "teleta_msgs/msg/TactileFeatures")
+    if (type.starts_with("teleta_msgs/msg/TactileFeatures")) // of other units and with shear, too
         return unlessWanted(TopicRole::features);
     if (type == "teleta_msgs/msg/Touch")
         return unlessWanted(TopicRole::touch);

@@ -13,10 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace teleta::mcap {
@@ -93,6 +96,26 @@ std::optional<std::size_t> columnOf(const StreamInfo& stream, std::string_view n
     return static_cast<std::size_t>(found - stream.columns.begin());
 }
 
+/// One name for each definition: that of the package teleta_msgs for loads in N; for other units and for
+/// vectors "TactileFeaturesUt", "TactileFeaturesShear", "TactileFeaturesUtShear".
+std::string featuresTypeOf(const std::vector<Column>& columns) {
+    constexpr std::string_view kForce = "force_";
+    std::string type = "TactileFeatures";
+    const std::string& force = columns.size() > 1 ? columns[1].name : std::string();
+    if (force.starts_with(kForce) && force != "force_n") {
+        bool begins = true;
+        for (const char letter : std::string_view(force).substr(kForce.size())) {
+            const auto code = static_cast<unsigned char>(letter);
+            if (std::isalnum(code) != 0)
+                type += begins ? static_cast<char>(std::toupper(code)) : letter;
+            begins = std::isalnum(code) == 0;
+        }
+    }
+    if (std::ranges::find(columns, "friction_ratio", &Column::name) != columns.end())
+        type += "Shear";
+    return type;
+}
+
 double pitchOf(const StreamInfo& stream) {
     const auto details = nlohmann::json::parse(stream.details, nullptr, /*allow_exceptions=*/false);
     if (!details.is_object() || !details.contains("pitch_m") || !details["pitch_m"].is_number())
@@ -143,7 +166,10 @@ void StreamEncoder::describe() {
     case StreamKind::array:
         if (!isFloat)
             return;
-        if (auto layout = pipeline::layoutOf(m_stream); layout && (layout->isVector() || !layout->isGrid())) {
+        // TactileArray has loads on a grid with one pitch.
+        if (auto layout = pipeline::layoutOf(m_stream);
+            layout &&
+            (layout->isVector() || !layout->isGrid() || layout->grid().pitchX_m != layout->grid().pitchY_m)) {
             m_layout = std::move(*layout);
             add(Message::points, "points", "sensor_msgs/PointCloud2");
             return;
@@ -157,7 +183,7 @@ void StreamEncoder::describe() {
     case StreamKind::features: {
         if (!isDouble || m_stream.columns.empty() || m_stream.columns.front().name != "contact_type")
             return;
-        add(Message::features, "features", "teleta_msgs/TactileFeatures",
+        add(Message::features, "features", "teleta_msgs/" + featuresTypeOf(m_stream.columns),
             schemaText(featuresDefinition(m_stream.columns), "teleta_msgs"));
         const auto force = columnOf(m_stream, "force_n");
         const auto copX = columnOf(m_stream, "cop_x_m");

@@ -24,10 +24,11 @@ struct TopicType {
 /// What becomes of a stream in ROS: its topics, and the messages of its frames in CDR.
 ///   array          /NAME/image        sensor_msgs/msg/Image, 32FC1, raw values, row 0 first
 ///                  /NAME/array        teleta_msgs/msg/TactileArray
-///                  /NAME/points       sensor_msgs/msg/PointCloud2 instead of both, of vectors and of taxels
-///                  off
-///                                     a grid: writePoints()
-///   features       /NAME/features     teleta_msgs/msg/TactileFeatures; NaN where a feature is not defined
+///                  /NAME/points       sensor_msgs/msg/PointCloud2 instead of both, where TactileArray has no
+///                                     room: vectors, taxels off a grid, two pitches; see writePoints()
+///   features       /NAME/features     teleta_msgs/msg/TactileFeatures; NaN where a feature is not defined.
+///                                     Other units and vectors have other fields, and other names:
+///                                     TactileFeaturesUtShear
 ///                  /NAME/wrench       geometry_msgs/msg/WrenchStamped, what acts on the array
 ///   contacts       /NAME/contacts     teleta_msgs/msg/Contacts, all of one time
 ///   touches        /NAME/touches      teleta_msgs/msg/Touch

@@ -29,7 +29,7 @@ std::array<double, 3> readVector(core::JsonReader& reader, const ordered_json& j
 
 /// Nothing: there are places that are the same, or a normal that is not of length 1.
 std::optional<std::vector<core::TaxelPlace>> readPlaces(core::JsonReader& reader, std::size_t taxels) {
-    constexpr double kFurthest_m = 1e3;
+    constexpr double kFurthest_m = 10.0;
     constexpr double kOffUnit = 1e-6;
     std::vector<core::TaxelPlace> places;
     for (const ordered_json& each :
@@ -128,8 +128,10 @@ std::optional<core::TaxelLayout> readLayout(core::JsonReader& reader, const std:
     constexpr std::size_t kSide = core::ArrayLayout::kMaximumSide;
     const ordered_json& root = reader.root();
     const bool isPlaces = reader.find(root, "positions_m") != nullptr;
-    const bool isVector =
-        reader.number(root, "components", 1.0, core::TaxelLayout::kVector, 1.0) == core::TaxelLayout::kVector;
+    const double told = reader.number(root, "components", 1.0, core::TaxelLayout::kVector, 1.0);
+    const bool isVector = told == core::TaxelLayout::kVector;
+    if (!isVector && told != 1.0)
+        return std::nullopt;
     if (shape.size() != (isVector || !isPlaces ? 2 : 1) || std::ranges::find(shape, 0) != shape.end())
         return std::nullopt;
     if (isVector && shape[1] != core::TaxelLayout::kVector)

@@ -12,14 +12,15 @@ constexpr double kSeamGate_taxels = 3.0;
 
 } // namespace
 
-void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, double pitch_m, double threshold_N) {
+void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, const core::ArrayLayout& grid,
+                    double threshold_N) {
     if (!(patch.force_N > 0.0))
         return;
     const double rows = patch.maxRow - patch.minRow + 1;
     const double columns = patch.maxColumn - patch.minColumn + 1;
-    const double ofTaxel_m = 0.5 * threshold_N / patch.force_N * pitch_m;
-    contact.xSe_m = ofTaxel_m * std::sqrt(rows) * 0.5 * (columns + 1.0);
-    contact.ySe_m = ofTaxel_m * std::sqrt(columns) * 0.5 * (rows + 1.0);
+    const double ofTaxel = 0.5 * threshold_N / patch.force_N;
+    contact.xSe_m = ofTaxel * grid.pitchX_m * std::sqrt(rows) * 0.5 * (columns + 1.0);
+    contact.ySe_m = ofTaxel * grid.pitchY_m * std::sqrt(columns) * 0.5 * (rows + 1.0);
 }
 
 SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m) {
@@ -34,7 +35,8 @@ SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m)
     strongest.y_m = first.y_m;
     strongest.force_N = first.force_N;
     strongest.type = frame.features.type;
-    setPlaceErrors(strongest, first, frame.layout.pitch_m(), frame.threshold_N);
+    if (frame.layout.isGrid()) // elsewhere a patch has no rows and columns
+        setPlaceErrors(strongest, first, frame.layout.grid(), frame.threshold_N);
     if (!(circumference_m > 0.0))
         return strongest;
     const double gate_m = kSeamGate_taxels * frame.layout.pitch_m();

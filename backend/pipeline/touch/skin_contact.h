@@ -14,7 +14,8 @@ namespace teleta::pipeline {
 /// side make up for a part it is up to twice too large; but presses at one place of the skin, as around one
 /// object, are all off alike. Measured: skin_contact_test. The noise of single taxels, which the threshold is
 /// above, is less. An uneven skin adds its own error, core::SkinPlacement::centreSe_m. Thread: any (pure).
-void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, double pitch_m, double threshold_N);
+void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, const core::ArrayLayout& grid,
+                    double threshold_N);
 
 /// The strongest contact of a frame. Where the sheet lies around a cylinder, its edges in y meet: two parts
 /// of a contact on both sides of the seam are then one. circumference_m: of the cylinder; 0: a flat sheet.

@@ -55,7 +55,7 @@ SkinReader::SkinReader(const scene::Scene& scene)
     : m_conditioner(scene.arm().skin.layout.taxels(), {})
     , m_segmenter(scene.arm().skin.layout, channelSettings(scene).segmentation)
     , m_features(scene.arm().skin.layout, channelSettings(scene).features)
-    , m_pitch_m(scene.arm().skin.layout.largerPitch_m())
+    , m_layout(scene.arm().skin.layout)
     , m_load_N(scene.arm().skin.layout.taxels())
     , m_dead(scene.arm().skin.layout.taxels()) {
 }
@@ -73,7 +73,7 @@ pipeline::SkinContact SkinReader::read(std::span<const float> values, const core
     contact.y_m = found.front().y_m;
     contact.force_N = found.front().force_N;
     contact.type = m_features.compute(m_load_N, m_dead).type;
-    pipeline::setPlaceErrors(contact, found.front(), m_pitch_m, m_segmenter.settings().threshold_N);
+    pipeline::setPlaceErrors(contact, found.front(), m_layout, m_segmenter.settings().threshold_N);
     return contact;
 }
 

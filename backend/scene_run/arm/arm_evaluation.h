@@ -33,7 +33,7 @@ private:
     contact::FrameConditioner m_conditioner;
     contact::ContactSegmenter m_segmenter;
     contact::FeatureExtractor m_features;
-    double m_pitch_m;
+    core::ArrayLayout m_layout;
     std::vector<float> m_load_N;
     std::vector<std::uint8_t> m_dead;
 };

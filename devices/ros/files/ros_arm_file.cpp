@@ -47,13 +47,16 @@ void readAdapter(TomlTable& root, RosArmFile& file) {
     const bool unguarded = root.boolean("unguarded", false);
     if (unguarded && isGuarded(file.adapter))
         root.fail("unguarded",
-                  ArmFileText::tr("the robot ends a motion of this adapter itself").toStdString(), "false");
-    if (!unguarded && !isGuarded(file.adapter))
-        root.fail("adapter",
-                  ArmFileText::tr("nothing at the robot ends a motion of this adapter when this program ends "
-                                  "or the network is cut")
+                  ArmFileText::tr("with this adapter the robot stops by itself, so it is not unguarded")
                       .toStdString(),
-                  ArmFileText::tr("another adapter, or unguarded = true").toStdString());
+                  "false");
+    if (!unguarded && !isGuarded(file.adapter))
+        root.fail(
+            "adapter",
+            ArmFileText::tr("with this adapter nothing stops the robot when this program ends or the network "
+                            "fails")
+                .toStdString(),
+            ArmFileText::tr("another adapter, or unguarded = true").toStdString());
 }
 
 void readNode(TomlTable& root, RosArmFile& file) {

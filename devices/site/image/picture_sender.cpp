@@ -23,13 +23,13 @@ constexpr std::size_t kTapPictures = 8;
 } // namespace
 
 PictureSender::PictureSender(const site::BootName& boot)
-    : m_boot(boot)
-    , m_thread([this] { run(); }) {
+    : m_boot(boot) {
 }
 
 PictureSender::~PictureSender() {
     m_stopping = true;
-    m_thread.join();
+    if (m_thread.joinable())
+        m_thread.join();
     for (const auto& camera : m_cameras)
         camera->tap->close();
 }
@@ -38,7 +38,14 @@ std::shared_ptr<core::StreamTap> PictureSender::add(dds::AnyWriter writer, const
     auto tap = std::make_shared<core::StreamTap>(kTapPictures);
     const std::scoped_lock lock(m_mutex);
     m_cameras.push_back(std::make_unique<Camera>(Camera{tap, std::move(writer), PictureBudget(settings)}));
+    if (!m_thread.joinable())
+        m_thread = std::thread([this] { run(); });
     return tap;
+}
+
+std::optional<core::Error> PictureSender::problem() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_problem;
 }
 
 void PictureSender::run() {
@@ -55,23 +62,26 @@ void PictureSender::run() {
     }
 }
 
-void PictureSender::send(Camera& camera) const {
+void PictureSender::send(Camera& camera) {
     core::TappedFrames one;
     for (std::size_t left = camera.tap->capacity(); left > 0 && camera.tap->pop(one); --left) {
         camera.budget.arrived(one.time_ns.front());
         one.discontinuity = one.discontinuity || camera.newest.discontinuity;
         camera.newest = std::exchange(one, {});
     }
-    const std::int64_t now_ns = core::steadyNow_ns();
-    if (camera.newest.frames() == 0 || !camera.budget.mayWrite(now_ns))
+    if (camera.newest.frames() == 0 || !camera.budget.mayWrite(core::steadyNow_ns()))
         return;
     const core::TappedFrames picture = std::exchange(camera.newest, {});
     if (camera.writer.matched() == 0)
         return;
     auto bytes = toJpeg(core::colourOf(picture.image), camera.budget.quality());
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_problem = bytes ? std::nullopt : std::optional(bytes.error());
+    }
     if (!bytes)
         return;
-    camera.budget.written(bytes->size(), now_ns);
+    camera.budget.written(bytes->size(), core::steadyNow_ns());
     std::string frame;
     std::string format = "jpeg";
     ros::ImageFrame message{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/stream_tap.h"
+#include "backend/core/error.h"
 #include "backend/site/control_arbiter.h"
 #include "devices/dds/endpoint.h"
 #include "devices/site/image/picture_budget.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -30,6 +32,8 @@ public:
     /// A camera whose colour pictures (core::bytesOf()) the tap takes. writer: of ros::ImageFrame.
     [[nodiscard]] std::shared_ptr<core::StreamTap> add(dds::AnyWriter writer,
                                                        const PictureSettings& settings);
+    /// Why the last picture of any camera could not be coded; nothing: it could, or none was.
+    [[nodiscard]] std::optional<core::Error> problem() const;
 
 private:
     struct Camera {
@@ -41,13 +45,14 @@ private:
     };
 
     void run();
-    void send(Camera& camera) const;
+    void send(Camera& camera);
 
     site::BootName m_boot;
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::vector<std::unique_ptr<Camera>> m_cameras; ///< grows only; guarded by m_mutex
+    std::optional<core::Error> m_problem;           ///< guarded by m_mutex
     std::atomic<bool> m_stopping{false};
-    std::thread m_thread;
+    std::thread m_thread; ///< from the first camera on
 };
 
 } // namespace teleta::site_link

@@ -48,12 +48,8 @@ void RemoteArray::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         m_waitSet.wait(RemoteStream::kLook_ns);
         (void)m_reader.take([this](const ros::TactileBlock& block, const dds::SampleInfo&) { take(block); });
-        const std::int64_t now_ns = core::steadyNow_ns();
-        // Again and again: why nothing comes is known a while later.
-        const bool hasCome =
-            m_outlet.state() == core::DeviceState::live || m_outlet.state() == core::DeviceState::stale;
-        if (hasCome && now_ns - m_outlet.lastData_ns() > staleAfter_ns)
-            m_outlet.setState(core::DeviceState::stale, now_ns, silenceText(*m_site));
+        RemoteStream::watchSilence(m_outlet, m_outlet.lastData_ns(), staleAfter_ns,
+                                   [this] { return silenceText(*m_site); });
     }
     m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
 }

@@ -11,6 +11,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace teleta::site_link {
@@ -22,6 +24,7 @@ struct RemoteCameraText {
 };
 
 constexpr std::size_t kQueueFrames = 8;
+constexpr std::int64_t kLeastSilence_ns = 3'000'000'000;
 
 } // namespace
 
@@ -50,22 +53,20 @@ void RemoteCamera::open(core::Wakeup& consumer) {
 }
 
 void RemoteCamera::run(const std::stop_token& stop) {
-    const std::int64_t staleAfter_ns = core::staleAfter_ns(m_description.nominalRate_Hz);
+    // A site with little room on the way sends fewer pictures than its camera takes.
+    const std::int64_t staleAfter_ns =
+        std::max(core::staleAfter_ns(m_description.nominalRate_Hz), kLeastSilence_ns);
     std::int64_t last_ns = core::steadyNow_ns();
     while (!stop.stop_requested()) {
         m_waitSet.wait(RemoteStream::kLook_ns);
         const std::uint64_t before = m_number;
         (void)m_reader.take(
             [this](const ros::ImageFrame& message, const dds::SampleInfo&) { take(message); });
-        const std::int64_t now_ns = core::steadyNow_ns();
         if (m_number != before)
-            last_ns = now_ns;
+            last_ns = core::steadyNow_ns();
         // The time of arrival counts: how old a picture is, its own time says.
-        const bool hasCome =
-            m_outlet.state() == core::DeviceState::live || m_outlet.state() == core::DeviceState::stale;
-        if (hasCome && now_ns - last_ns > staleAfter_ns)
-            m_outlet.setState(core::DeviceState::stale, now_ns,
-                              m_misfit.empty() ? silenceText(*m_site) : m_misfit);
+        RemoteStream::watchSilence(m_outlet, last_ns, staleAfter_ns,
+                                   [this] { return m_misfit.empty() ? silenceText(*m_site) : m_misfit; });
     }
     m_outlet.setState(core::DeviceState::closed, core::steadyNow_ns());
     m_discontinuity = true;
@@ -75,7 +76,8 @@ core::Expected<core::ColourImage> RemoteCamera::pictureOf(const ros::ImageFrame&
     if (const auto bytes = ros::view(message.image.data); !isWholeJpeg(bytes))
         return core::failed(
             core::ErrorKind::badInput,
-            RemoteCameraText::tr("a picture is no JPEG, or was cut off (%1 bytes)").arg(bytes.size()));
+            RemoteCameraText::tr("the received data are not a complete JPEG picture (%1 bytes)")
+                .arg(bytes.size()));
     return ros_camera::pictureOf(message.image);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/device.h"
+#include "backend/core/steady_time.h"
 #include "backend/site/control_arbiter.h"
 
 #include <algorithm>
@@ -38,6 +40,18 @@ public:
         step.lost = first - m_next;
         m_next = first + count;
         return step;
+    }
+
+    /// Marks a device as stale when nothing has come for too long, with the reason that why() gives. Called
+    /// again and again: the reason is known a while later. last_ns: when something came.
+    template <typename Outlet, typename Why>
+    static void watchSilence(Outlet& outlet, std::int64_t last_ns, std::int64_t staleAfter_ns,
+                             const Why& why) {
+        const std::int64_t now_ns = core::steadyNow_ns();
+        const bool hasCome =
+            outlet.state() == core::DeviceState::live || outlet.state() == core::DeviceState::stale;
+        if (hasCome && now_ns - last_ns > staleAfter_ns)
+            outlet.setState(core::DeviceState::stale, now_ns, why());
     }
 
     /// A time that is not before the ones that came already.

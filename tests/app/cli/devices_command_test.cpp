@@ -123,8 +123,8 @@ TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
     const std::vector<Case> cases = {
         {"kind = 'modem'\n", "d.toml:1:8: unknown value \"modem\" of \"kind\""},
         {"name = 'n'\n", "d.toml:1:1: \"kind\" is missing (expected kind = \"modbus\", \"wts\", \"camera\", "
-                         "\"hid_bracelet\", \"taxels\", \"magnetometers\", \"xela\", \"sound_bracelet\" or "
-                         "\"marker_gel\")"},
+                         "\"hid_bracelet\", \"taxels\", \"magnetometers\", \"xela\", \"sound_bracelet\", "
+                         "\"marker_gel\", \"ros_tactile\" or \"ros_camera\")"},
         {"kind = 'hid_bracelet'\nname = 'b'\nvendor_id = 70000\nproduct_id = 1\n", "d.toml:3:13: "},
         {kNobody + "scale = 0\n", "d.toml:14:9: \"scale\" is 0"},
         {"kind = 'wts'\nname = 'a'\naddress = 'tcp://h'\n", "d.toml:3:11: "},

@@ -138,5 +138,30 @@ TEST(PointCloud, gridsOfLoadsStayImages) {
     EXPECT_EQ(encoder.topics()[0].topic, "/pad/image");
 }
 
+TEST(PointCloud, aGridWithTwoPitchesIsNoImage) {
+    StreamInfo stream{.name = "pad-frames", .shape = {2, 3}};
+    stream.details = R"({"pitch_x_m": 0.004, "pitch_y_m": 0.010})";
+    const StreamEncoder encoder(stream, {.topic = "pad", .frame = "pad"}, 1);
+    ASSERT_EQ(encoder.topics().size(), 1U);
+    EXPECT_EQ(encoder.topics()[0].topic, "/pad/points");
+}
+
+TEST(FeatureMessages, eachDefinitionHasANameOfItsOwn) {
+    const auto nameOf = [](const std::string& unit, bool vectors) {
+        StreamInfo stream{.name = "pad-features",
+                          .kind = recording::StreamKind::features,
+                          .type = recording::ValueType::float64,
+                          .columns = recording::featureColumns(unit, vectors)};
+        stream.shape = {static_cast<std::uint32_t>(stream.columns.size())};
+        const StreamEncoder encoder(stream, {.topic = "pad", .frame = "pad"}, 1);
+        return encoder.topics().empty() ? std::string() : encoder.topics()[0].schemaName;
+    };
+    // The first is that of the package teleta_msgs.
+    EXPECT_EQ(nameOf("N", false), "teleta_msgs/msg/TactileFeatures");
+    EXPECT_EQ(nameOf("N", true), "teleta_msgs/msg/TactileFeaturesShear");
+    EXPECT_EQ(nameOf("uT", false), "teleta_msgs/msg/TactileFeaturesUt");
+    EXPECT_EQ(nameOf("uT", true), "teleta_msgs/msg/TactileFeaturesUtShear");
+}
+
 } // namespace
 } // namespace teleta::mcap

@@ -14,6 +14,7 @@ using pipeline::SkinContact;
 namespace {
 
 constexpr double kPitch_m = 0.0094;
+const core::ArrayLayout kGrid{20, 24, kPitch_m};
 constexpr double kThreshold_N = 0.02;
 
 /// A press of some force between taxels, whose load spreads like a Gaussian bell; taxels below the threshold
@@ -60,7 +61,7 @@ TEST(PlaceErrors, areThoseOfPressesOfAllSizesAndForces) {
                     if (patch.force_N < 0.5 * force_N)
                         continue;
                     SkinContact contact;
-                    setPlaceErrors(contact, patch, kPitch_m, kThreshold_N);
+                    setPlaceErrors(contact, patch, kGrid, kThreshold_N);
                     const double over_se = (patch.x_m - column * kPitch_m) / contact.xSe_m;
                     ++presses;
                     within += std::abs(over_se) < 1.96 ? 1 : 0;
@@ -78,17 +79,22 @@ TEST(PlaceErrors, areThoseOfPressesOfAllSizesAndForces) {
 TEST(PlaceErrors, followThresholdSizeAndForce) {
     SkinContact contact;
     const contact::Contact patch{.force_N = 0.5, .minRow = 4, .maxRow = 6, .minColumn = 1, .maxColumn = 4};
-    setPlaceErrors(contact, patch, kPitch_m, kThreshold_N);
+    setPlaceErrors(contact, patch, kGrid, kThreshold_N);
     EXPECT_NEAR(contact.xSe_m, 0.01 * std::sqrt(3.0) * 2.5 * kPitch_m / 0.5, 1e-12);
     EXPECT_NEAR(contact.ySe_m, 0.01 * std::sqrt(4.0) * 2.0 * kPitch_m / 0.5, 1e-12);
+    // Each axis has its own pitch.
+    SkinContact wide;
+    setPlaceErrors(wide, patch, {20, 24, kPitch_m, 2.0 * kPitch_m}, kThreshold_N);
+    EXPECT_EQ(wide.xSe_m, contact.xSe_m);
+    EXPECT_NEAR(wide.ySe_m, 2.0 * contact.ySe_m, 1e-15);
     SkinContact exact;
-    setPlaceErrors(exact, patch, kPitch_m, 0.0);
+    setPlaceErrors(exact, patch, kGrid, 0.0);
     EXPECT_EQ(exact.xSe_m, 0.0);
 }
 
 TEST(PlaceErrors, ofAContactWithoutForceAreNotKnown) {
     SkinContact contact;
-    setPlaceErrors(contact, {}, kPitch_m, kThreshold_N);
+    setPlaceErrors(contact, {}, kGrid, kThreshold_N);
     EXPECT_EQ(contact.xSe_m, 0.0);
     EXPECT_EQ(contact.ySe_m, 0.0);
 }

@@ -96,12 +96,12 @@ TEST(RosArmFile, whatCannotBeKeptIsRefused) {
               "arm.toml:6:11: unknown value \"effort\" of \"adapter\" (expected one of: trajectory, "
               "moveit_servo, velocity, position)");
     for (const char* adapter : {"velocity", "position"})
-        EXPECT_EQ(
-            errorWith(std::string("adapter = \"") + adapter + "\"\n"),
-            "arm.toml:6:11: nothing at the robot ends a motion of this adapter when this program ends or "
-            "the network is cut (expected another adapter, or unguarded = true)");
-    EXPECT_EQ(errorWith("unguarded = true\n"),
-              "arm.toml:6:13: the robot ends a motion of this adapter itself (expected false)");
+        EXPECT_EQ(errorWith(std::string("adapter = \"") + adapter + "\"\n"),
+                  "arm.toml:6:11: with this adapter nothing stops the robot when this program ends or the "
+                  "network fails "
+                  "(expected another adapter, or unguarded = true)");
+    EXPECT_EQ(errorWith("unguarded = true\n"), "arm.toml:6:13: with this adapter the robot stops by itself, "
+                                               "so it is not unguarded (expected false)");
     EXPECT_EQ(errorWith("effort_contains_gravity = true\n"),
               "arm.toml:6:27: the efforts of this arm are not in Nm (expected effort_unit = \"Nm\")");
     EXPECT_EQ(errorWith("effort_unit = \"A\"\n[limits]\neffort_stop = [1, 2]\n"),

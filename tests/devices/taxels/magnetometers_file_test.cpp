@@ -47,7 +47,7 @@ TEST(MagnetometersFile, saysWhatIsWrongWhere) {
         {"chips = 5", "chips = 4", "a list of 4 lists", 6},
         {"'binary'", "'text'", "reskin_text", 5},
         {"[0, -7]]", "[0, 7]]", "taxels 3 and 4 are at the same place", 6},
-        {"'-z'", "'z'", "no three axes", 7},
+        {"'-z'", "'z'", "not three distinct axes", 7},
         {"threshold_uT = 40.0\n", "", "threshold_uT", 0},
         {"'magnetometers'", "'magnetometer'", "taxels", 1},
     };

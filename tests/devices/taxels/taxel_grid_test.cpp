@@ -143,12 +143,12 @@ TEST(TaxelGrid, saysWhatIsWrongWithALayout) {
     };
     const std::vector<Case> cases{
         {kTwoByThree + "components = 2", 12, "three components", 11},
-        {kTwoByThree + "components = 3\naxes = ['+x', '+y', '+y']", 18, "no three axes", 12},
-        {kTwoByThree + "components = 3\naxes = ['x', '+y', '+z']", 18, "no three axes", 12},
+        {kTwoByThree + "components = 3\naxes = ['+x', '+y', '+y']", 18, "not three distinct axes", 12},
+        {kTwoByThree + "components = 3\naxes = ['x', '+y', '+z']", 18, "not three distinct axes", 12},
         {kTwoByThree + "pitch_y_mm = -5.0", 6, "above 0", 11},
         {kTwoByThree + "newtons_per_unit = 0.0", 6, "above 0", 11},
-        {kTwoByThree + "mask = [0, 1, 2, 3, 4, 5]", 1, "places without a taxel", 11},
-        {kTwoByThree + "mask = [0.5]", 5, "places without a taxel", 11},
+        {kTwoByThree + "mask = [0, 1, 2, 3, 4, 5]", 1, "this mask does not fit the array", 11},
+        {kTwoByThree + "mask = [0.5]", 5, "this mask does not fit the array", 11},
         {kTwoByThree + "mask = [6]", 5, "from 0 to 5", 11},
         {kTwoByThree + "mask = [-1]", 5, "at least 0", 11},
         {kTwoByThree + "mask = [2e6]", 5, "from 0 to 5", 11},
@@ -159,7 +159,7 @@ TEST(TaxelGrid, saysWhatIsWrongWithALayout) {
         {kTwoByThree, 7, "7 numbers, but the layout has 6 taxels with 1 each", 13},
         {"positions_mm = [[0, 0], [4, 0], [0, 0]]", 3, "taxels 0 and 2 are at the same place", 8},
         {"positions_mm = [[0, 0], [4, 0]]\nheights_mm = [1]", 2, "there are 2 positions", 9},
-        {"positions_mm = [[0, 0]]\nnormals = [[0, 0, 0]]", 1, "no length", 9},
+        {"positions_mm = [[0, 0]]\nnormals = [[0, 0, 0]]", 1, "a normal is zero", 9},
         {"positions_mm = [[0, 0]]\nheights_mm = [inf]", 1, "-10000", 9},
         {"positions_mm = [[0, 0, 0]]", 1, "each of 2 numbers", 8},
     };

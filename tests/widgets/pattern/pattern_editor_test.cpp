@@ -121,6 +121,11 @@ private slots:
             const auto* laws = editor.findChild<LawList*>();
             QVERIFY(laws->isVisible());
             QTRY_VERIFY(laws->height() <= 2 * line + 8);
+            const auto topOf = [&editor](const QWidget* widget) {
+                return widget->mapTo(&editor, QPoint()).y();
+            };
+            if (topOf(inspector) > topOf(laws))
+                QTRY_VERIFY(topOf(inspector) - topOf(laws) <= 3 * line);
         }
     }
 

@@ -78,10 +78,11 @@ TEST(PlaceRaster, keepsAnyLayoutSmallAndShowsEachTaxel) {
         EXPECT_LE(raster.layout().grid().rows, PlaceRaster::kMostSide);
         EXPECT_LE(raster.layout().grid().columns, PlaceRaster::kMostSide);
         const pipeline::TouchSnapshot drawn = raster.drawn(numbered(places));
-        // Two of the second layout share a cell.
-        for (std::size_t i = 0; list.size() != 4 && i < list.size(); ++i) {
-            EXPECT_NE(std::ranges::find(drawn.load_N, static_cast<float>(i + 1)), drawn.load_N.end());
-        }
+        // The first two of the second layout share a cell, which one of them gets.
+        std::size_t shown = 0;
+        for (std::size_t i = 0; i < list.size(); ++i)
+            shown += std::ranges::find(drawn.load_N, static_cast<float>(i + 1)) != drawn.load_N.end() ? 1 : 0;
+        EXPECT_EQ(shown, list.size() == 4 ? 3U : list.size());
     }
 }
 

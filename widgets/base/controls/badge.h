@@ -15,7 +15,8 @@ namespace teleta::base {
 
 /// Where the data of a view come from. Every view of data that are not live says so, and every view of an arm
 /// that nothing at the robot stops: by a stripe on the screen, by a badge in a picture that leaves the
-/// program. Several data together are what the greatest of theirs says.
+/// program. Several data together are what the greatest of theirs says: that data are not of now, or not
+/// real, counts for more.
 enum class Provenance { live, unguarded, recorded, recordedSimulation, simulated };
 
 /// "SIMULATED", "RECORDED", "RECORDED SIMULATION", "UNGUARDED", translated; empty for live data.

@@ -105,12 +105,12 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
 QStringList GelEventModel::titles() const {
     static_assert(event == kEventColumn);
     const QString mm = QStringLiteral("mm");
-    return {base::titleWithUnit(tr("Time"), QStringLiteral("s")),
+    return {base::titleOverUnit(tr("Time"), QStringLiteral("s")),
             tr("Event"),
             tr("Contact"),
-            base::titleWithUnit(tr("x"), mm),
-            base::titleWithUnit(tr("y"), mm),
-            base::titleWithUnit(tr("Shear"), mm),
+            base::titleOverUnit(tr("x"), mm),
+            base::titleOverUnit(tr("y"), mm),
+            base::titleOverUnit(tr("Shear"), mm),
             tr("Slip index")};
 }
 

@@ -74,7 +74,7 @@ void QuestionnaireForm::setQuestionnaire(Questionnaire questionnaire,
     column->addStretch(1);
     m_column->setMaximumWidth(base::em(page, kWidest_em));
     m_area->setWidget(page);
-    // The window's watermark must show behind the questions as well.
+    // The ground of a stopped session shows behind the questions as well.
     page->setAutoFillBackground(false);
     m_area->viewport()->setAutoFillBackground(false);
     setProblem({});

@@ -2,6 +2,7 @@
 #include "widgets/study/planning/threshold_form.h"
 
 #include "widgets/base/on_change.h"
+#include "widgets/study/study_names.h"
 
 #include <initializer_list>
 #include <utility>
@@ -100,7 +101,7 @@ void ThresholdForm::setTruthEnabled(bool enabled) {
 }
 
 void ThresholdForm::retranslate() {
-    const QString unit = QString::fromLatin1(unitOf(m_task.levels.vary));
+    const QString unit = displayUnit(m_task.levels.vary);
     const bool isLog = m_task.levels.range.scale == LevelScale::log10;
     const QString scale = isLog ? tr("log10 units") : unit;
     m_thresholdLabel->setText(tr("Th&reshold"));

@@ -34,7 +34,7 @@ QString asText(std::string_view text) {
 core::Expected<std::string> meshPath(std::string_view name, const std::string& folder) {
     if (folder.empty())
         return core::failed(core::ErrorKind::notFound,
-                            MeshFileText::tr("the arm's file names no folder of meshes"),
+                            MeshFileText::tr("the arm's file does not set mesh_path"),
                             MeshFileText::tr("mesh_path = \"FOLDER\""));
     const std::string_view rest = name.starts_with(kPackage) ? name.substr(kPackage.size()) : name;
     const fs::path path{rest};

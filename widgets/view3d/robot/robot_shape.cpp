@@ -90,8 +90,8 @@ core::Expected<RobotShape> loadRobotShape(const arm_model::ArmModel& model, cons
             TELETA_CHECK(append(robot.links[i], visual, meshes));
             triangles += robot.links[i].triangles() - before;
             if (triangles > kMostTriangles)
-                return core::refused(
-                    RobotShapeText::tr("the arm's meshes have more than %1 triangles").arg(kMostTriangles));
+                return core::refused(RobotShapeText::tr("the shapes of the arm have more than %1 triangles")
+                                         .arg(kMostTriangles));
         }
     return robot;
 }

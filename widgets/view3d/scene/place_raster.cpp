@@ -27,15 +27,27 @@ PlaceRaster::PlaceRaster(const core::TaxelPlaces& places) {
     for (std::size_t taxel = 0; taxel < places.size(); ++taxel) {
         // The cell under its centre is its own, however small the disc.
         const double radius_m = std::max(0.5 * places.spacing_m(taxel), std::sqrt(0.5) * cell_m);
-        for (std::size_t cell = 0; cell < m_taxelOf.size(); ++cell) {
-            const double away_m =
-                std::hypot(grid.x_m(static_cast<double>(cell % columns)) - places[taxel].x_m,
-                           grid.y_m(static_cast<double>(cell / columns)) - places[taxel].y_m);
-            if (away_m <= radius_m && away_m < distance_m[cell]) {
-                distance_m[cell] = away_m;
-                m_taxelOf[cell] = taxel;
+        // Only cells in the square around the disc can be in it.
+        const auto within = [&](double middle_m, int count, int& first, int& last) {
+            const double centre = middle_m / cell_m + 0.5 * (count - 1);
+            const double reach = radius_m / cell_m;
+            first = std::clamp(static_cast<int>(std::floor(centre - reach)), 0, count - 1);
+            last = std::clamp(static_cast<int>(std::ceil(centre + reach)), 0, count - 1);
+        };
+        int top = 0, bottom = 0, left = 0, right = 0;
+        within(places[taxel].y_m, grid.rows, top, bottom);
+        within(places[taxel].x_m, grid.columns, left, right);
+        for (int row = top; row <= bottom; ++row)
+            for (int column = left; column <= right; ++column) {
+                const std::size_t cell =
+                    static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
+                const double away_m =
+                    std::hypot(grid.x_m(column) - places[taxel].x_m, grid.y_m(row) - places[taxel].y_m);
+                if (away_m <= radius_m && away_m < distance_m[cell]) {
+                    distance_m[cell] = away_m;
+                    m_taxelOf[cell] = taxel;
+                }
             }
-        }
     }
     m_layout = core::TaxelLayout(grid);
     std::vector<std::uint8_t> absent(m_taxelOf.size());

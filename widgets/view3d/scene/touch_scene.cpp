@@ -87,6 +87,12 @@ TouchScene::Taken TouchScene::take(const pipeline::TouchSnapshot& snapshot) {
     m_hasSensor = true;
     m_frameStale = true;
     m_snapshot = m_raster ? m_raster->drawn(snapshot) : snapshot;
+    // Where there is no taxel, none is dead.
+    for (std::size_t taxel = 0; taxel < m_snapshot.dead.size(); ++taxel)
+        if (m_snapshot.layout.isAbsent(taxel)) {
+            m_snapshot.dead[taxel] = 0;
+            m_snapshot.load_N[taxel] = 0.0F;
+        }
     m_touches.update(snapshot.contacts, snapshot.sourceTime_s);
 
     double peak_N = 0.0;

@@ -153,7 +153,7 @@ core::Expected<FoundDevice> probeArray(const core::TomlDocument& document) {
     const auto opened = wts::WtsDevice::open(std::move(config));
     found.error = errorOf(opened);
     if (opened) {
-        found.frameRate_Hz = measuredRate_Hz(**opened);
+        found.frameRate_Hz = lookAt(**opened).rate_Hz;
         if (!found.frameRate_Hz)
             found.error = core::Error{core::ErrorKind::unavailable,
                                       DevicesText::tr("it answers, but sends no frames").toStdString(),

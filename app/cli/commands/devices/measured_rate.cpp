@@ -18,7 +18,7 @@ namespace {
 
 /// take: hands the times of new frames to its argument.
 template <typename Source, typename Take>
-std::optional<double> rateOf(Source& source, const Take& take) {
+SeenFrames framesOf(Source& source, const Take& take) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::seconds kLongestWait{3};
     constexpr std::chrono::seconds kMeasured{1};
@@ -39,16 +39,17 @@ std::optional<double> rateOf(Source& source, const Take& take) {
         });
         (void)wakeup.waitFor(kLook);
     }
+    SeenFrames seen{.rate_Hz = std::nullopt, .status = source.status()};
     source.stop();
-    if (frames < 2 || last_ns <= first_ns)
-        return std::nullopt;
-    return 1e9 * static_cast<double>(frames - 1) / static_cast<double>(last_ns - first_ns);
+    if (frames >= 2 && last_ns > first_ns)
+        seen.rate_Hz = 1e9 * static_cast<double>(frames - 1) / static_cast<double>(last_ns - first_ns);
+    return seen;
 }
 
 } // namespace
 
-std::optional<double> measuredRate_Hz(core::TactileSource& array) {
-    return rateOf(array, [&](const auto& count) {
+SeenFrames lookAt(core::TactileSource& array) {
+    return framesOf(array, [&](const auto& count) {
         core::SampleBlock block;
         while (array.blocks().pop(block))
             for (const std::int64_t time_ns : block.time_ns)
@@ -56,19 +57,19 @@ std::optional<double> measuredRate_Hz(core::TactileSource& array) {
     });
 }
 
-SeenPictures lookAt(core::CameraSource& camera) {
-    SeenPictures seen;
-    seen.rate_Hz = rateOf(camera, [&](const auto& count) {
+SeenFrames lookAt(core::CameraSource& camera) {
+    core::ColourImage last;
+    SeenFrames seen = framesOf(camera, [&](const auto& count) {
         core::CameraFrame frame;
         while (camera.pop(frame)) {
             // Those that were passed over came as well.
             for (std::uint64_t i = 0; i <= frame.passedOver; ++i)
                 count(frame.time_ns);
-            const auto colour = core::colourOf(frame.image);
-            seen.width_px = colour.width_px;
-            seen.height_px = colour.height_px;
+            last = core::colourOf(frame.image);
         }
     });
+    seen.width_px = last.width_px;
+    seen.height_px = last.height_px;
     return seen;
 }
 

@@ -12,7 +12,7 @@ namespace teleta::cli {
 namespace {
 
 struct RosProbeText {
-    Q_DECLARE_TR_FUNCTIONS(RosProbes)
+    Q_DECLARE_TR_FUNCTIONS(RosProbeText)
 };
 
 /// What keeps frames from coming, as the source's last status says.
@@ -34,10 +34,11 @@ core::Expected<FoundDevice> probeRosArray(const std::string& path) {
     if (!opened)
         return found;
     ros_array::RosArray& array = **opened;
-    found.frameRate_Hz = measuredRate_Hz(array);
+    const SeenFrames seen = lookAt(array);
+    found.frameRate_Hz = seen.rate_Hz;
     const ros_array::RosArrayCounters counters = array.counters();
     if (!found.frameRate_Hz)
-        found.error = silence(array.status(), file.topic);
+        found.error = silence(seen.status, file.topic);
     const core::ArrayLayout& layout = array.description().layout.grid();
     found.values = {{"rows", static_cast<double>(layout.rows), "1"},
                     {"columns", static_cast<double>(layout.columns), "1"},
@@ -56,11 +57,11 @@ core::Expected<FoundDevice> probeRosCamera(const std::string& path) {
     if (!opened)
         return found;
     ros_camera::RosCamera& camera = **opened;
-    const SeenPictures seen = lookAt(camera);
+    const SeenFrames seen = lookAt(camera);
     const ros_camera::RosCameraCounters counters = camera.counters();
     found.frameRate_Hz = seen.rate_Hz;
     if (!seen.rate_Hz)
-        found.error = silence(camera.status(), file.topic);
+        found.error = silence(seen.status, file.topic);
     if (seen.width_px > 0)
         found.values = {{"width", static_cast<double>(seen.width_px), "px"},
                         {"height", static_cast<double>(seen.height_px), "px"}};

@@ -75,7 +75,8 @@ TEST_F(ModbusSource, tellsJointsThatNothingMoves) {
     EXPECT_EQ(channel->summary().name, "bench arm");
     EXPECT_FALSE(channel->summary().simulated);
     EXPECT_TRUE(std::isinf(channel->description().highest_rad[1])) << "nobody told the range";
-    EXPECT_EQ(channel->device().hindrance(), "this arm only tells its joints, it cannot be moved");
+    EXPECT_EQ(channel->device().hindrance(),
+              "this arm is read-only: it reports its joints but cannot be moved");
     core::Wakeup wakeup;
     channel->start(wakeup);
     core::JointSample sample;

@@ -12,7 +12,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <memory>
 #include <string>
 
 namespace teleta::console {
@@ -34,6 +36,23 @@ protected:
             });
     }
 
+    /// Runs the channel until it has processed its frames, and records them as "skin".
+    static void record(pipeline::TouchChannel& channel, core::Wakeup& data, const std::string& path,
+                       std::uint64_t frames) {
+        auto started = recording::Recorder::start(path, {});
+        ASSERT_TRUE(started) << core::describe(started.error());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        channel.record(recorder, "skin");
+        channel.start(data);
+        ASSERT_TRUE(teleta::test::eventually(data, [&] {
+            channel.process();
+            return channel.framesProcessed() == frames;
+        }));
+        channel.stop();
+        channel.record(nullptr, {});
+        ASSERT_TRUE(recorder->stop());
+    }
+
     teleta::test::TemporaryFolder m_folder;
     core::StopSwitch m_stop;
 };
@@ -46,20 +65,7 @@ TEST_F(TaxelsSource, isShownRecordedAndFoundInItsRecordingInItsOwnUnit) {
     EXPECT_EQ(channel.settings().features.threshold_N, 0.5);
     const std::string path = m_folder.path("run.teleta");
     core::Wakeup data;
-    {
-        auto started = recording::Recorder::start(path, {});
-        ASSERT_TRUE(started) << core::describe(started.error());
-        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
-        channel.record(recorder, "skin");
-        channel.start(data);
-        ASSERT_TRUE(teleta::test::eventually(data, [&] {
-            channel.process();
-            return channel.framesProcessed() == 3;
-        }));
-        channel.stop();
-        channel.record(nullptr, {});
-        ASSERT_TRUE(recorder->stop());
-    }
+    ASSERT_NO_FATAL_FAILURE(record(channel, data, path, 3));
     ASSERT_TRUE(channel.update());
     ASSERT_EQ(channel.snapshot().contacts.size(), 1U);
     EXPECT_EQ(channel.snapshot().contacts[0].taxels, 5);
@@ -111,20 +117,7 @@ TEST_F(TaxelsSource, vectorsOffAGridAreShownRecordedExportedAndPlayed) {
     EXPECT_FALSE(layout.isGrid());
     const std::string path = m_folder.path("run.teleta");
     core::Wakeup data;
-    {
-        auto started = recording::Recorder::start(path, {});
-        ASSERT_TRUE(started) << core::describe(started.error());
-        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
-        channel.record(recorder, "skin");
-        channel.start(data);
-        ASSERT_TRUE(teleta::test::eventually(data, [&] {
-            channel.process();
-            return channel.framesProcessed() == 2;
-        }));
-        channel.stop();
-        channel.record(nullptr, {});
-        ASSERT_TRUE(recorder->stop());
-    }
+    ASSERT_NO_FATAL_FAILURE(record(channel, data, path, 2));
     const auto expectPressed = [](const pipeline::TouchSnapshot& snapshot) {
         ASSERT_EQ(snapshot.contacts.size(), 1U);
         EXPECT_NEAR(snapshot.contacts[0].x_m, -0.0045, 1e-9) << "from the middle of the box";
