@@ -6860,7 +6860,6 @@ Aire %6</translation>
     </message>
     <message>
         <source>By the joints: %1</source>
-        <extracomment>A force in the 3-D view, which is computed from the torques of the arm&apos;s joints</extracomment>
         <translation>Par les articulations&#xa0;: %1</translation>
     </message>
     <message>
@@ -6880,6 +6879,10 @@ Aire %6</translation>
     <message>
         <source>Moment, longest arrow: %1</source>
         <translation>Moment, flèche la plus longue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>At the wrist: %1</source>
+        <translation>Au poignet&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -24965,6 +24968,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>UNGUARDED: the robot does not stop by itself when this program or the network fails. Keep its emergency stop within reach. %1</source>
         <translation>SANS GARDE&#xa0;: le robot ne s’arrête pas de lui-même en cas de défaillance de ce programme ou du réseau. Gardez son arrêt d’urgence à portée de main. %1</translation>
+    </message>
+    <message>
+        <source>At the tip: force %1, torque %2</source>
+        <translation>À l’extrémité&#xa0;: force %1, couple %2</translation>
     </message>
 </context>
 <context>

@@ -6842,7 +6842,6 @@ x %4，y %5
     </message>
     <message>
         <source>By the joints: %1</source>
-        <extracomment>A force in the 3-D view, which is computed from the torques of the arm&apos;s joints</extracomment>
         <translation>由关节得出：%1</translation>
     </message>
     <message>
@@ -6862,6 +6861,10 @@ x %4，y %5
     <message>
         <source>Moment, longest arrow: %1</source>
         <translation>力矩，最长箭头：%1</translation>
+    </message>
+    <message>
+        <source>At the wrist: %1</source>
+        <translation>腕部：%1</translation>
     </message>
 </context>
 <context>
@@ -24894,6 +24897,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>UNGUARDED: the robot does not stop by itself when this program or the network fails. Keep its emergency stop within reach. %1</source>
         <translation>无保护：本程序或网络出故障时，机器人不会自行停止。请确保急停按钮触手可及。%1</translation>
+    </message>
+    <message>
+        <source>At the tip: force %1, torque %2</source>
+        <translation>末端：力 %1，力矩 %2</translation>
     </message>
 </context>
 <context>

@@ -95,7 +95,8 @@ openRemote(const std::shared_ptr<site_link::SiteClient>& site, const SiteRequest
         return skin;
     TELETA_TRY(pipeline::RecordedArm arm, pipeline::recordedArm(*joints, site->file().name));
     arm.description.recorded = false;
-    TELETA_TRY(auto source, site_link::RemoteArm::open(site, device, arm.description));
+    const bool hasWrench = findStream(*site, device, StreamKind::wrench) != nullptr;
+    TELETA_TRY(auto source, site_link::RemoteArm::open(site, device, arm.description, hasWrench));
     if (skin != nullptr)
         return std::make_shared<pipeline::ArmChannel>(std::move(source), std::move(skin));
     return std::make_shared<pipeline::JointChannel>(std::move(source), std::move(arm.chain),

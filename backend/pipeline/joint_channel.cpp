@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/joint_channel.h"
 
+#include "backend/arm_model/serial_chain.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/stream_columns.h"
@@ -49,7 +50,7 @@ void JointChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSin
 
 void JointChannel::recordJoints(recording::StreamSink* sink, const std::string& name,
                                 const std::string& skinStream) {
-    m_tap.set(tapInto(sink, name, skinStream));
+    m_taps.set(tapInto(sink, name, skinStream));
 }
 
 void JointChannel::watchJoints(Watcher who, recording::StreamSink* sink, const std::string& name,
@@ -57,11 +58,16 @@ void JointChannel::watchJoints(Watcher who, recording::StreamSink* sink, const s
     m_watched[static_cast<std::size_t>(who)].set(tapInto(sink, name, skinStream));
 }
 
-JointChannel::Tap JointChannel::tapInto(recording::StreamSink* sink, const std::string& name,
-                                        const std::string& skinStream) const {
-    return sink != nullptr
-               ? sink->addStream(armStream(name + "-joints", description(), skinStream, m_chain.get()))
-               : nullptr;
+JointChannel::Taps JointChannel::tapInto(recording::StreamSink* sink, const std::string& name,
+                                         const std::string& skinStream) const {
+    if (sink == nullptr)
+        return {};
+    Taps taps;
+    taps.joints = sink->addStream(armStream(name + "-joints", description(), skinStream, m_chain.get()));
+    if (m_arm->wrenches() != nullptr)
+        taps.wrench = sink->addStream(
+            wrenchStream(name + "-wrench", description(), m_chain ? m_chain->tipLink() : std::string()));
+    return taps;
 }
 
 std::size_t JointChannel::process() {
@@ -72,7 +78,7 @@ std::size_t JointChannel::process() {
 }
 
 const std::vector<core::JointSample>& JointChannel::takeSamples() {
-    m_tapsInUse[0] = m_tap.get();
+    m_tapsInUse[0] = m_taps.get();
     std::ranges::transform(m_watched, m_tapsInUse.begin() + 1,
                            [](const auto& watched) { return watched.get(); });
     m_taken.clear();
@@ -80,16 +86,30 @@ const std::vector<core::JointSample>& JointChannel::takeSamples() {
     core::BoundedQueue<core::JointSample>& joints = m_arm->joints();
     for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
         m_taken.push_back(sample);
+    takeWrenches();
     return m_taken;
 }
 
+void JointChannel::takeWrenches() {
+    core::BoundedQueue<core::WrenchSample>* wrenches = m_arm->wrenches();
+    std::size_t waiting = wrenches != nullptr ? wrenches->size() : 0;
+    core::WrenchSample sample;
+    for (; waiting > 0 && wrenches->pop(sample); --waiting) {
+        const auto values = wrenchValues(sample);
+        for (const Taps& taps : m_tapsInUse)
+            if (taps.wrench)
+                taps.wrench->append(sample.time_ns, sample.sourceTime_s, std::span<const double>(values));
+        m_newestWrench.set(sample);
+    }
+}
+
 void JointChannel::publish(const core::JointSample& sample) {
-    for (const Tap& tap : m_tapsInUse) {
-        if (!tap)
+    for (const Taps& taps : m_tapsInUse) {
+        if (!taps.joints)
             continue;
         const auto values = recording::jointValues(sample, description().joints());
-        tap->append(sample.time_ns, sample.sourceTime_s, std::span<const double>(values),
-                    sample.discontinuity);
+        taps.joints->append(sample.time_ns, sample.sourceTime_s, std::span<const double>(values),
+                            sample.discontinuity);
     }
     m_samples.push(core::JointSample(sample));
     m_samplesProcessed.fetch_add(1, std::memory_order_relaxed);

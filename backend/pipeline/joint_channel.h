@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,12 +66,14 @@ public:
 
     /// Takes the oldest joint sample that the viewer has not seen; every one comes. Viewer thread.
     bool popSample(core::JointSample& sample) { return m_samples.pop(sample); }
+    /// The newest that the arm's sensor of force and torque measured; nothing: it has none, or nothing came.
+    [[nodiscard]] std::optional<core::WrenchSample> newestWrench() const { return m_newestWrench.get(); }
     [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
     [[nodiscard]] std::uint64_t samplesProcessed() const {
         return m_samplesProcessed.load(std::memory_order_relaxed);
     }
 
-    /// Stream NAME-joints.
+    /// Streams NAME-joints and, of an arm with a sensor of force and torque, NAME-wrench.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
     void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
                const std::string& name) override;
@@ -89,19 +92,25 @@ protected:
                      const std::string& skinStream);
 
 private:
-    using Tap = std::shared_ptr<core::StreamTap>;
+    /// Null where nothing is recorded.
+    struct Taps {
+        std::shared_ptr<core::StreamTap> joints;
+        std::shared_ptr<core::StreamTap> wrench;
+    };
 
-    [[nodiscard]] Tap tapInto(recording::StreamSink* sink, const std::string& name,
-                              const std::string& skinStream) const;
+    [[nodiscard]] Taps tapInto(recording::StreamSink* sink, const std::string& name,
+                               const std::string& skinStream) const;
+    void takeWrenches();
 
     std::unique_ptr<core::ArmSource> m_arm;
     std::shared_ptr<const arm_model::SerialChain> m_chain;
     std::string m_meshFolder;
-    core::LatestCopy<Tap> m_tap;
-    std::array<core::LatestCopy<Tap>, kWatchers> m_watched;
-    std::array<Tap, 1 + kWatchers> m_tapsInUse; ///< the recorder's first; of the pipeline's thread
+    core::LatestCopy<Taps> m_taps;
+    std::array<core::LatestCopy<Taps>, kWatchers> m_watched;
+    std::array<Taps, 1 + kWatchers> m_tapsInUse; ///< the recorder's first; of the pipeline's thread
     std::vector<core::JointSample> m_taken;
     core::BoundedQueue<core::JointSample> m_samples;
+    core::LatestCopy<std::optional<core::WrenchSample>> m_newestWrench;
     std::atomic<std::uint64_t> m_samplesProcessed{0};
 };
 

@@ -101,13 +101,16 @@ RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> ch
     , m_stop(stop)
     , m_required(std::move(required))
     , m_outlet(kQueueSamples, kBatchSamples)
+    , m_wrenches(kQueueSamples)
     , m_timing(timingOf(m_file.adapter))
     , m_mover(m_chain, m_file.limits, m_timing.period_ns, m_timing.reaction_s)
     , m_watch(std::move(names), m_file.jointStates, m_file.jointTimeout_s)
     , m_waitSet(m_ends.participant) {
     m_waitSet.attach(m_ends.reader);
-    if (m_file.wrench)
+    if (m_file.wrench) {
         m_wrench.emplace(*m_file.wrench, m_chain);
+        m_waitSet.attach(*m_ends.wrench);
+    }
 }
 
 void RosArm::post(const core::ArmCommand& command) {
@@ -126,6 +129,7 @@ void RosArm::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         m_waitSet.wait(next_ns - core::steadyNow_ns());
         takeJoints();
+        takeWrench();
         const std::int64_t now_ns = core::steadyNow_ns();
         if (now_ns < next_ns)
             continue;
@@ -177,7 +181,12 @@ void RosArm::takeWrench() {
     if (!m_wrench)
         return;
     (void)m_ends.wrench->take([this](const ros::WrenchStamped& message, const dds::SampleInfo&) {
-        m_wrench->take(message, core::steadyNow_ns());
+        const std::int64_t read_ns = core::steadyNow_ns();
+        m_wrench->take(message, read_ns);
+        const std::optional<ros::JoinedJoints> joints = m_watch.sampleAt(read_ns);
+        if (std::optional<core::WrenchSample> sample =
+                joints ? m_wrench->atTip(joints->position) : std::nullopt)
+            m_wrenches.push(std::move(*sample));
     });
 }
 
@@ -208,7 +217,6 @@ void RosArm::lookAround(std::int64_t now_ns) {
 
 void RosArm::step(std::int64_t now_ns) {
     lookAround(now_ns);
-    takeWrench();
     MoverInput input;
     input.now_ns = now_ns;
     input.stopped = m_stop.engaged();

@@ -75,6 +75,9 @@ public:
     void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
     void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_outlet.samples(); }
+    [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() override {
+        return m_file.wrench ? &m_wrenches : nullptr;
+    }
     [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return m_state.get().mover.drive; }
     void post(const core::ArmCommand& command) override;
@@ -122,6 +125,7 @@ private:
     const core::StopSwitch& m_stop;
     std::shared_ptr<const core::RequiredDevices> m_required; ///< null: the file requires none
     core::JointOutlet m_outlet;
+    core::BoundedQueue<core::WrenchSample> m_wrenches;
     AdapterTiming m_timing;
     TrajectoryMover m_mover;
     core::LatestCopy<RosArmState> m_state;

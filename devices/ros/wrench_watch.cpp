@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/ros/wrench_watch.h"
 
+#include "backend/ros/stamps.h"
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +32,9 @@ void WrenchWatch::take(const ros::WrenchStamped& message, std::int64_t read_ns) 
     }
     const auto& force = message.wrench.force;
     m_force_N = m_sign * Eigen::Vector3d(force.x, force.y, force.z);
+    const auto& torque = message.wrench.torque;
+    m_torque_Nm = m_sign * Eigen::Vector3d(torque.x, torque.y, torque.z);
+    m_stamp_s = ros::seconds(message.header.stamp);
     // What is not finite counts as strongest.
     if (!m_isNew || (m_strongest_N.allFinite() && !(m_force_N.stableNorm() <= m_strongest_N.stableNorm())))
         m_strongest_N = m_force_N;
@@ -42,6 +48,21 @@ std::optional<Eigen::Vector3d> WrenchWatch::takeForce_Base_N(const core::JointVe
     if (!m_read_ns || now_ns - *m_read_ns > m_timeout_ns || !m_link)
         return std::nullopt;
     return m_chain->linkPoses(q)[*m_link].linear() * force_N;
+}
+
+std::optional<core::WrenchSample> WrenchWatch::atTip(const core::JointVector& q) const {
+    if (!m_read_ns || !m_link || !m_force_N.allFinite() || !m_torque_Nm.allFinite())
+        return std::nullopt;
+    const Eigen::Isometry3d X_Tip_Link = m_chain->X_Base_Tip(q).inverse() * m_chain->linkPoses(q)[*m_link];
+    const Eigen::Vector3d force_N = X_Tip_Link.linear() * m_force_N;
+    const Eigen::Vector3d torque_Nm =
+        X_Tip_Link.linear() * m_torque_Nm + X_Tip_Link.translation().cross(force_N);
+    core::WrenchSample sample;
+    sample.time_ns = *m_read_ns;
+    sample.sourceTime_s = m_stamp_s;
+    std::ranges::copy(force_N, sample.force_N.begin());
+    std::ranges::copy(torque_Nm, sample.torque_Nm.begin());
+    return sample;
 }
 
 } // namespace teleta::ros_arm

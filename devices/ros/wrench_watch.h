@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/arm_model/serial_chain.h"
-#include "backend/core/device/joint_vector.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/ros/messages.h"
 #include "devices/ros/files/ros_wrench_file.h"
 
@@ -30,6 +30,10 @@ public:
     [[nodiscard]] std::optional<Eigen::Vector3d> takeForce_Base_N(const core::JointVector& q,
                                                                   std::int64_t now_ns);
 
+    /// The newest message, moved to the arm's tip and its axes by where the joints are. Nothing: it is not
+    /// finite, or its frame is not known. q: of the arm's joints.
+    [[nodiscard]] std::optional<core::WrenchSample> atTip(const core::JointVector& q) const;
+
     /// The size of the newest force, N; NaN where it is no number, 0 before the first one.
     [[nodiscard]] double newest_N() const { return m_force_N.stableNorm(); }
 
@@ -45,7 +49,9 @@ private:
     double m_sign;
     std::int64_t m_timeout_ns;
     std::optional<std::int64_t> m_read_ns;
-    Eigen::Vector3d m_force_N = Eigen::Vector3d::Zero(); ///< the newest, in the frame of the link
+    Eigen::Vector3d m_force_N = Eigen::Vector3d::Zero();   ///< the newest, in the frame of the link
+    Eigen::Vector3d m_torque_Nm = Eigen::Vector3d::Zero(); ///< of the same message
+    double m_stamp_s = 0.0;
     Eigen::Vector3d m_strongest_N = Eigen::Vector3d::Zero();
     bool m_isNew = false;              ///< m_strongest_N is since the last call
     std::string m_lastFrame;           ///< of m_link

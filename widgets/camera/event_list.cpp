@@ -32,6 +32,10 @@ EventList::EventList(EventListModel& model, QWidget* parent)
     m_table->horizontalHeader()->setMinimumSectionSize(base::em(this, 1));
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
+    // Without rows there is nothing to fit.
+    connect(
+        &m_list, &QAbstractItemModel::rowsInserted, m_table->horizontalHeader(),
+        [header = m_table->horizontalHeader()] { header->resizeSections(QHeaderView::ResizeToContents); });
     m_table->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

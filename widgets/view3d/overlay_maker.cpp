@@ -121,8 +121,11 @@ void OverlayMaker::addWrench(const TouchScene& scene, const WrenchPart& wrench, 
         if (const auto place = placeInPicture(*scene.renderer(), *wrench.forceTail()))
             content.labels.push_back(
                 {*place,
-                 //: A force in the 3-D view, which is computed from the torques of the arm's joints
-                 tr("By the joints: %1")
+                 (wrench.force()->measured
+                      //: A force in the 3-D view, which a sensor at the arm's wrist measured
+                      ? tr("At the wrist: %1")
+                      //: A force in the 3-D view, which is computed from the torques of the arm's joints
+                      : tr("By the joints: %1"))
                      .arg(base::withUnit(m_jointForce_N.text().trimmed(), QStringLiteral("N"))),
                  scene.colours().jointForce, true, true});
     }
@@ -234,6 +237,12 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
     const auto add = [&](const QString& text, LegendLine::Arrow arrow = LegendLine::Arrow::none) {
         legend.push_back({text, arrow});
     };
+    const auto addForce = [&](double range, const QString& unit) {
+        add(tr("Force, longest arrow: %1").arg(base::withUnit(QLocale().toString(range, 'g', 3), unit)),
+            LegendLine::Arrow::straight);
+    };
+    if (!scene.hasSensor() && request.forces && wrench.forceTail())
+        addForce(wrench.forceRange_N(scene), QStringLiteral("N"));
     if (scene.hasSensor()) {
         if (scene.grid().block() > 1)
             add(tr("Each block: the largest of %1 × %1 taxels").arg(scene.grid().block()));
@@ -244,10 +253,7 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
                     .arg(millimetres(cylinder.radius_m), millimetres(cylinder.length_m)));
         }
         if (request.forces && (!scene.marks().empty() || wrench.forceTail()))
-            add(tr("Force, longest arrow: %1")
-                    .arg(base::withUnit(QLocale().toString(scene.forceRange_N(), 'g', 3),
-                                        QString::fromStdString(scene.snapshot().loadUnit))),
-                LegendLine::Arrow::straight);
+            addForce(scene.forceRange_N(), QString::fromStdString(scene.snapshot().loadUnit));
         if (wrench.areMomentsShown() && wrench.momentHead())
             add(tr("Moment, longest arrow: %1")
                     .arg(base::withUnit(QLocale().toString(1e3 * wrench.momentRange_Nm(), 'g', 3),

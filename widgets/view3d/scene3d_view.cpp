@@ -436,6 +436,10 @@ void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
     parts.vtk->requestRender();
 }
 
+const std::optional<DrawnForce>& Scene3dView::force() const {
+    return m_parts->marks.wrench.force();
+}
+
 void Scene3dView::setScenery(std::span<const SceneryItem> items) {
     if (m_parts->marks.scenery.set(items))
         sceneMoved(false);

@@ -74,6 +74,7 @@ public:
     void setJoints(std::span<const JointDial> dials);
     /// The force that the arm's joints tell; empty: they tell none. Shown while the array's loads are in N.
     void setForce(const std::optional<DrawnForce>& force);
+    [[nodiscard]] const std::optional<DrawnForce>& force() const;
     /// The array is bent in truth, however it is drawn: the moment of its loads is not known.
     void setArrayBent(bool bent);
     /// What a simulated world has around the arm.

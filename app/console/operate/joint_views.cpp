@@ -25,6 +25,8 @@ constexpr double kThinnest_m = 0.005;
 constexpr double kShortest_m = 1e-3;
 /// A joint (rad, m) that is farther from where it was told to be shows the ghost.
 constexpr double kGhost_rad = 0.02;
+/// A force that was read so long ago is not shown any more.
+constexpr std::int64_t kOldWrench_ns = 500'000'000;
 /// Time between two places of the tip's trail.
 constexpr double kTipStep_s = 0.02;
 
@@ -125,6 +127,8 @@ void JointViews::clear() {
     m_hasRobot = false;
     m_shown.reset();
     m_present = 0;
+    m_wrench_ns = 0;
+    m_jog->setWrench(std::nullopt);
     m_asked = false;
     m_silent = false;
     m_sample_ns = m_sampleCame_ns = 0;
@@ -163,6 +167,7 @@ void JointViews::tick() {
         m_chart->append(m_samples);
         followTip();
         showScenery();
+        showWrench();
         m_jog->setDrive(m_arm->device().drive());
         m_jog->setHindrance(QString::fromStdString(m_arm->device().hindrance()));
     }
@@ -217,6 +222,28 @@ void JointViews::showScenery() {
             item.outline_m.emplace_back(x_m, y_m);
     }
     m_scene.setScenery(items);
+}
+
+/// The force at the tip, along the axes of the base. One that is old is not shown.
+void JointViews::showWrench() {
+    const std::optional<core::WrenchSample> wrench = m_arm->newestWrench();
+    const bool isKnown = wrench && m_shown && m_arm->chain() &&
+                         m_shown->angle_rad.size() == m_arm->chain()->joints() &&
+                         core::steadyNow_ns() - wrench->time_ns < kOldWrench_ns;
+    if (std::exchange(m_wrench_ns, isKnown ? wrench->time_ns : 0) == m_wrench_ns)
+        return;
+    if (!isKnown) {
+        m_jog->setWrench(std::nullopt);
+        m_scene.setForce(std::nullopt);
+        return;
+    }
+    m_jog->setWrench(wrench);
+    const Eigen::Isometry3d X_Base_Tip = m_arm->chain()->X_Base_Tip(m_shown->angle_rad);
+    m_scene.setForce(
+        view3d::DrawnForce{.p_World_m = X_Base_Tip.translation(),
+                           .force_N = X_Base_Tip.linear() * Eigen::Vector3d::Map(wrench->force_N.data()),
+                           .measured = true,
+                           .time_s = 1e-9 * static_cast<double>(wrench->time_ns)});
 }
 
 void JointViews::showChain(const core::JointSample& sample) {

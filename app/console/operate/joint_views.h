@@ -76,6 +76,7 @@ private:
     void showChain(const core::JointSample& sample);
     void showRobot(const core::JointSample& sample);
     void showScenery();
+    void showWrench();
     void post(const core::JointVector& rate_radPerS);
     bool readingsWait();
     void clear();
@@ -96,6 +97,7 @@ private:
     bool m_hasRobot = false;                  ///< its shape is in the 3-D view
     std::optional<core::JointSample> m_shown; ///< of an arm with a chain
     std::uint64_t m_present = 0;              ///< ArmSource::presentObjects(), as drawn
+    std::int64_t m_wrench_ns = 0;             ///< of the force that is shown; 0: none
     double m_tip_s = 0.0;                     ///< of the arm, when the tip was told last
     bool m_asked = false;                     ///< the last command was to move
     bool m_silent = false;

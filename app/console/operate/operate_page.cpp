@@ -298,6 +298,7 @@ void OperatePage::changeCharts(pipeline::ChannelKey shown) {
 }
 
 void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance provenance) {
+    m_scene->setProvenance(provenance);
     if (array == nullptr) {
         m_heatmap->clear();
         m_scene->clear();
@@ -306,7 +307,6 @@ void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance prov
     m_heatmap->setProvenance(provenance);
     m_heatmap->setOld(false);
     m_charts->setProvenance(provenance);
-    m_scene->setProvenance(provenance);
     const pipeline::ChannelSettings settings = array->settings();
     m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
     m_settings->setSettings(settings);

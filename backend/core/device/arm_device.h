@@ -28,6 +28,15 @@ struct JointSample {
     std::int64_t arrived_ns = 0;
 };
 
+/// What acts on an arm as a sensor of force and torque at its wrist measured it, at the arm's tip and along
+/// the tip's axes: x, y, z.
+struct WrenchSample {
+    std::int64_t time_ns = 0;  ///< steady clock at the read
+    double sourceTime_s = 0.0; ///< the sensor's own time
+    std::array<double, 3> force_N{};
+    std::array<double, 3> torque_Nm{}; ///< about the tip
+};
+
 /// How the sheet of the tactile skin lies around the forearm, a cylinder about its x axis. A taxel at (x, y)
 /// of the sheet's frame {s}, z out of the skin, is at
 ///   distance from the elbow  centreDistance_m + x,   side  centreSide_rad - y / radius_m
@@ -110,6 +119,9 @@ public:
     /// Ends the worker and waits for it. Idempotent.
     virtual void stop() = 0;
     [[nodiscard]] virtual BoundedQueue<JointSample>& joints() = 0;
+    /// What the sensor of force and torque measures, for the same consumer; null: the arm has none. The
+    /// consumer is not notified of them alone.
+    [[nodiscard]] virtual BoundedQueue<WrenchSample>* wrenches() { return nullptr; }
     /// rate_Hz, framesRead and framesLost count joint samples.
     [[nodiscard]] virtual DeviceStatus status() const = 0;
     [[nodiscard]] virtual ArmDrive drive() const = 0;

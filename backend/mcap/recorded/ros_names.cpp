@@ -30,6 +30,13 @@ bool isMirrored(const StreamInfo& camera) {
     return model.contains("mirrored") && model["mirrored"].is_boolean() && model["mirrored"].get<bool>();
 }
 
+/// The link at which a force was measured, if the stream says so.
+std::string frameOf(const StreamInfo& wrench) {
+    const auto details = nlohmann::json::parse(wrench.details, nullptr, /*allow_exceptions=*/false);
+    const bool isNamed = details.is_object() && details.contains("frame") && details["frame"].is_string();
+    return isNamed ? details["frame"].get<std::string>() : std::string();
+}
+
 } // namespace
 
 std::string topicPart(std::string_view name) {
@@ -73,6 +80,9 @@ std::vector<RosNames> rosNames(std::span<const StreamInfo> streams) {
         }
         case StreamKind::touches:
             names[i].frame = "base_link";
+            break;
+        case StreamKind::wrench:
+            names[i].frame = frameOf(stream);
             break;
         case StreamKind::camera:
             names[i].frame = names[i].topic + "_optical_frame";

@@ -207,6 +207,24 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
     return info;
 }
 
+recording::StreamInfo wrenchStream(const std::string& name, const core::ArmDescription& description,
+                                   const std::string& frame) {
+    const ordered_json details{{"simulated", description.simulated}, {"frame", frame}};
+    return {.name = name,
+            .kind = recording::StreamKind::wrench,
+            .type = recording::ValueType::float64,
+            .source = description.name,
+            .shape = {kWrenchValues},
+            .columns = recording::wrenchColumns(),
+            .details = details.dump(-1, ' ', false, ordered_json::error_handler_t::replace)};
+}
+
+std::array<double, kWrenchValues> wrenchValues(const core::WrenchSample& sample) {
+    const auto& [x_N, y_N, z_N] = sample.force_N;
+    const auto& [x_Nm, y_Nm, z_Nm] = sample.torque_Nm;
+    return {x_N, y_N, z_N, x_Nm, y_Nm, z_Nm};
+}
+
 recording::StreamInfo touchStream(const std::string& name, const core::ArmDescription& description) {
     return {.name = name,
             .kind = recording::StreamKind::touches,

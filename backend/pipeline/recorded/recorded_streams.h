@@ -31,6 +31,7 @@ namespace teleta::pipeline {
 inline constexpr std::size_t kFeatureValues = 12;
 inline constexpr std::size_t kShearValues = 4; ///< of frames of vectors besides
 inline constexpr std::size_t kTouchValues = 14;
+inline constexpr std::size_t kWrenchValues = 6;
 
 /// Name of the stream of an array's frames, in a recording that knows the array by a name.
 [[nodiscard]] inline std::string framesStreamName(const std::string& name) {
@@ -55,6 +56,11 @@ inline constexpr std::size_t kTouchValues = 14;
                                               const core::ArmDescription& description,
                                               const std::string& skinStream,
                                               const arm_model::SerialChain* chain = nullptr);
+/// Force and torque at an arm's tip. frame: the tip's.
+[[nodiscard]] recording::StreamInfo
+wrenchStream(const std::string& name, const core::ArmDescription& description, const std::string& frame);
+/// A frame of such a stream.
+[[nodiscard]] std::array<double, kWrenchValues> wrenchValues(const core::WrenchSample& sample);
 /// Touches of an arm.
 [[nodiscard]] recording::StreamInfo touchStream(const std::string& name,
                                                 const core::ArmDescription& description);

@@ -21,24 +21,37 @@ constexpr std::size_t kBatchSamples = 64;
 
 } // namespace
 
-core::Expected<std::unique_ptr<RemoteArm>>
-RemoteArm::open(std::shared_ptr<SiteClient> site, const std::string& name, core::ArmDescription description) {
+core::Expected<std::unique_ptr<RemoteArm>> RemoteArm::open(std::shared_ptr<SiteClient> site,
+                                                           const std::string& name,
+                                                           core::ArmDescription description, bool hasWrench) {
     TELETA_TRY(auto reader,
                dds::Reader<ros::JointBlock>::open(site->participant(), site->topics().joints(name),
                                                   kStreamed.withDepth(kReaderDepth)));
+    std::optional<dds::Reader<ros::TactileBlock>> wrench;
+    if (hasWrench) {
+        TELETA_TRY(auto opened,
+                   dds::Reader<ros::TactileBlock>::open(site->participant(), site->topics().wrench(name),
+                                                        kStreamed.withDepth(kReaderDepth)));
+        wrench.emplace(std::move(opened));
+    }
     return std::unique_ptr<RemoteArm>(
-        new RemoteArm(std::move(site), name, std::move(description), std::move(reader)));
+        new RemoteArm(std::move(site), name, std::move(description), std::move(reader), std::move(wrench)));
 }
 
 RemoteArm::RemoteArm(std::shared_ptr<SiteClient> site, std::string name, core::ArmDescription description,
-                     dds::Reader<ros::JointBlock> reader)
+                     dds::Reader<ros::JointBlock> reader,
+                     std::optional<dds::Reader<ros::TactileBlock>> wrenchReader)
     : m_site(std::move(site))
     , m_name(std::move(name))
     , m_description(std::move(description))
     , m_reader(std::move(reader))
+    , m_wrenchReader(std::move(wrenchReader))
     , m_waitSet(m_site->participant())
-    , m_outlet(kQueueSamples, kBatchSamples) {
+    , m_outlet(kQueueSamples, kBatchSamples)
+    , m_wrenches(kQueueSamples) {
     m_waitSet.attach(m_reader);
+    if (m_wrenchReader)
+        m_waitSet.attach(*m_wrenchReader);
 }
 
 core::ArmDrive RemoteArm::drive() const {
@@ -61,6 +74,9 @@ void RemoteArm::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         m_waitSet.wait(RemoteStream::kLook_ns);
         (void)m_reader.take([this](const ros::JointBlock& block, const dds::SampleInfo&) { take(block); });
+        if (m_wrenchReader)
+            (void)m_wrenchReader->take(
+                [this](const ros::TactileBlock& block, const dds::SampleInfo&) { takeWrench(block); });
         m_outlet.flush();
         RemoteStream::watchSilence(m_outlet, m_outlet.lastData_ns(), staleAfter_ns,
                                    [this] { return silenceText(*m_site); });
@@ -106,6 +122,26 @@ void RemoteArm::take(const ros::JointBlock& block) {
         if (!told)
             sample.torque_Nm = {};
         m_outlet.deliver(std::move(sample), arrived_ns);
+    }
+}
+
+void RemoteArm::takeWrench(const ros::TactileBlock& block) {
+    constexpr std::size_t kNumbers = 6;
+    const std::int64_t arrived_ns = core::steadyNow_ns();
+    const auto times = ros::view(block.read_site_ns);
+    const auto source = ros::view(block.source_s);
+    const auto values = ros::view(block.values);
+    if (source.size() != times.size() || values.size() != times.size() * kNumbers ||
+        !m_wrenchStream.take(bootNameOf(block.site_boot), block.first, times.size()).use)
+        return;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        core::WrenchSample sample;
+        sample.time_ns = m_wrenchStream.inOrder(m_site->readTime_ns(times[i], arrived_ns));
+        sample.sourceTime_s = source[i];
+        const auto numbers = values.subspan(i * kNumbers, kNumbers);
+        std::ranges::copy(numbers.first(3), sample.force_N.begin());
+        std::ranges::copy(numbers.last(3), sample.torque_Nm.begin());
+        m_wrenches.push(std::move(sample));
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -23,15 +24,20 @@ namespace teleta::site_link {
 /// Thread: as core::ArmSource.
 class RemoteArm : public core::ArmSource {
 public:
-    /// name: of the arm at the site. description: as the site describes it. Error: unavailable, its topic
-    /// cannot be opened.
-    [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArm>>
-    open(std::shared_ptr<SiteClient> site, const std::string& name, core::ArmDescription description);
+    /// name: of the arm at the site. description: as the site describes it. hasWrench: the site sends what
+    /// the arm's sensor of force and torque measures. Error: unavailable, its topics cannot be opened.
+    [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArm>> open(std::shared_ptr<SiteClient> site,
+                                                                         const std::string& name,
+                                                                         core::ArmDescription description,
+                                                                         bool hasWrench);
 
     [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
     void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
     void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_outlet.samples(); }
+    [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() override {
+        return m_wrenchReader ? &m_wrenches : nullptr;
+    }
     [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
     [[nodiscard]] core::ArmDrive drive() const override;
     [[nodiscard]] std::string hindrance() const override;
@@ -40,20 +46,25 @@ public:
 private:
     friend core::DeviceThread<RemoteArm>;
     RemoteArm(std::shared_ptr<SiteClient> site, std::string name, core::ArmDescription description,
-              dds::Reader<ros::JointBlock> reader);
+              dds::Reader<ros::JointBlock> reader,
+              std::optional<dds::Reader<ros::TactileBlock>> wrenchReader);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
     void wake() { m_waitSet.wake(); }
     void take(const ros::JointBlock& block);
+    void takeWrench(const ros::TactileBlock& block);
 
     std::shared_ptr<SiteClient> m_site;
     std::string m_name;
     core::ArmDescription m_description;
     dds::Reader<ros::JointBlock> m_reader;
+    std::optional<dds::Reader<ros::TactileBlock>> m_wrenchReader; ///< nothing: the arm has no such sensor
     dds::WaitSet m_waitSet;
     core::JointOutlet m_outlet;
+    core::BoundedQueue<core::WrenchSample> m_wrenches;
     RemoteStream m_stream;
+    RemoteStream m_wrenchStream;
     core::DeviceThread<RemoteArm> m_thread{*this};
 };
 

@@ -125,6 +125,47 @@ TEST(JointChannel, aRecordingSaysWhatTheArmDoesNotTell) {
     EXPECT_EQ(recording::jointSample(values).angle_rad, sampleAt(9).angle_rad);
 }
 
+TEST(JointChannel, aRecordingHasTheForcesAtTheWrist) {
+    QTemporaryDir folder;
+    const std::string path = folder.filePath("arm.teleta").toStdString();
+    auto* arm = new ScriptedArmSource;
+    arm->hasWrench = true;
+    JointChannel channel{std::unique_ptr<core::ArmSource>(arm)};
+    EXPECT_FALSE(channel.newestWrench());
+    {
+        auto started = recording::Recorder::start(path, {});
+        ASSERT_TRUE(started) << core::describe(started.error());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        channel.record(recorder, "robot");
+        for (int number = 0; number < 10; ++number)
+            ASSERT_TRUE(arm->push(core::WrenchSample{.time_ns = 1'000'000'000 + number,
+                                                     .sourceTime_s = 0.5 * number,
+                                                     .force_N = {1.0, -2.0, 0.25 * number},
+                                                     .torque_Nm = {0.1, 0.2, -0.3}}));
+        channel.process();
+        ASSERT_TRUE(recorder->stop());
+    }
+    ASSERT_TRUE(channel.newestWrench());
+    EXPECT_EQ(channel.newestWrench()->force_N[2], 0.25 * 9);
+    const auto recording = recording::Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    ASSERT_EQ(recording->streams().size(), 2U);
+    EXPECT_EQ(recording->streams()[1].name, "robot-wrench");
+    EXPECT_EQ(recording->streams()[1].kind, recording::StreamKind::wrench);
+    recording::StreamReader reader = recording->reader(1);
+    core::TappedFrames block;
+    std::size_t frames = 0;
+    while (reader.next(block).value_or(false)) {
+        for (std::size_t frame = 0; frame < block.frames(); ++frame, ++frames) {
+            const auto values = recording::valuesOf<double>(block, frame, 6);
+            const std::vector<double> expected{1.0, -2.0, 0.25 * static_cast<double>(frames), 0.1, 0.2, -0.3};
+            EXPECT_TRUE(std::ranges::equal(values, expected));
+            EXPECT_EQ(block.sourceTime_s[frame], 0.5 * static_cast<double>(frames));
+        }
+    }
+    EXPECT_EQ(frames, 10U);
+}
+
 TEST(JointChannel, anArmWithoutASkinIsFoundInItsRecordingWithJointsThatTurnForEver) {
     constexpr double kEndless = std::numeric_limits<double>::infinity();
     QTemporaryDir folder;

@@ -19,6 +19,9 @@ public:
     }
     void stop() override { ++stops; }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_joints; }
+    [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() override {
+        return hasWrench ? &m_wrenches : nullptr;
+    }
     [[nodiscard]] core::DeviceStatus status() const override { return {}; }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::jog; }
     void post(const core::ArmCommand& command) override { commands.push_back(command); }
@@ -34,6 +37,9 @@ public:
         return fits;
     }
 
+    bool push(core::WrenchSample sample) { return m_wrenches.push(std::move(sample)); }
+
+    bool hasWrench = false; ///< it has a sensor of force and torque
     std::atomic<int> starts{0};
     std::atomic<int> stops{0};
     std::vector<core::ArmCommand> commands;
@@ -41,6 +47,7 @@ public:
 private:
     core::ArmDescription m_description = paperArm();
     core::BoundedQueue<core::JointSample> m_joints{4096};
+    core::BoundedQueue<core::WrenchSample> m_wrenches{4096};
     core::Wakeup* m_consumer = nullptr;
 };
 

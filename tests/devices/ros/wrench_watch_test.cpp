@@ -37,10 +37,12 @@ class Wrist {
 public:
     explicit Wrist(const RosWrenchFile& file = sensor())
         : watch(file, planarArm()) {}
-    void tell(double x, double y, double z, std::int64_t time_ns, std::string frame = {}) {
+    void tell(double x, double y, double z, std::int64_t time_ns, std::string frame = {},
+              const Eigen::Vector3d& torque_Nm = Eigen::Vector3d::Zero()) {
         ros::WrenchStamped message{};
         message.header.frame_id = frame.data();
         message.wrench.force = {x, y, z};
+        message.wrench.torque = {torque_Nm.x(), torque_Nm.y(), torque_Nm.z()};
         watch.take(message, time_ns);
     }
     WrenchWatch watch;
@@ -57,6 +59,36 @@ TEST(WrenchWatch, turnsTheForceIntoTheBase) {
     EXPECT_TRUE(tool->isApprox(Eigen::Vector3d(c + 3.0 * s, 2.0, 3.0 * c - s), 1e-12));
     wrist.tell(1.0, 2.0, 3.0, 0, "base_link");
     EXPECT_TRUE(wrist.watch.takeForce_Base_N(q, 0)->isApprox(Eigen::Vector3d(1.0, 2.0, 3.0), 1e-12));
+}
+
+/// The tip of the arm is turned by the sum of both joints and lies where the links end. A force F in the
+/// base's origin has the torque -p x F about the tip.
+TEST(WrenchWatch, movesForceAndTorqueToTheTip) {
+    Wrist wrist;
+    const core::JointVector q{0.4, 0.3};
+    EXPECT_FALSE(wrist.watch.atTip(q)) << "nothing was told yet";
+    wrist.tell(1.0, 2.0, 3.0, 7 * kMs, "base_link", {0.1, -0.2, 0.3});
+    const Eigen::Isometry3d X_Base_Tip = planarArm()->X_Base_Tip(q);
+    const Eigen::Matrix3d R_Tip_Base = Eigen::AngleAxisd(-0.7, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    const Eigen::Vector3d F_N(1.0, 2.0, 3.0);
+    const auto tip = wrist.watch.atTip(q);
+    ASSERT_TRUE(tip);
+    EXPECT_EQ(tip->time_ns, 7 * kMs);
+    const auto vectorOf = [](const std::array<double, 3>& axes) {
+        return Eigen::Vector3d(axes[0], axes[1], axes[2]);
+    };
+    EXPECT_TRUE(vectorOf(tip->force_N).isApprox(R_Tip_Base * F_N, 1e-12));
+    const Eigen::Vector3d torque_Nm =
+        R_Tip_Base * (Eigen::Vector3d(0.1, -0.2, 0.3) - X_Base_Tip.translation().cross(F_N));
+    EXPECT_TRUE(vectorOf(tip->torque_Nm).isApprox(torque_Nm, 1e-12));
+
+    wrist.tell(1.0, 2.0, 3.0, 8 * kMs, {}, {0.1, -0.2, 0.3}); // of the tip itself
+    EXPECT_TRUE(vectorOf(wrist.watch.atTip(q)->force_N).isApprox(F_N, 1e-12));
+    EXPECT_TRUE(vectorOf(wrist.watch.atTip(q)->torque_Nm).isApprox(Eigen::Vector3d(0.1, -0.2, 0.3), 1e-12));
+    wrist.tell(1.0, 2.0, 3.0, 9 * kMs, {}, {0.1, kNan, 0.3});
+    EXPECT_FALSE(wrist.watch.atTip(q));
+    wrist.tell(1.0, 2.0, 3.0, 9 * kMs, "elsewhere");
+    EXPECT_FALSE(wrist.watch.atTip(q));
 }
 
 TEST(WrenchWatch, hasTheFrameAndTheSignOfItsFile) {

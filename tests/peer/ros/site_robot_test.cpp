@@ -5,6 +5,7 @@
 #include "tests/peer/site/site_process.h"
 
 #include <csignal>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,40 @@ TEST_F(SiteRobot, aJogThroughTheSiteMovesAsFarAsItSays) {
     EXPECT_NEAR(logOf("state").back()["position"][kJoint].get<double>(), told["way"].get<double>(), 2e-3);
     for (const json& trajectory : logOf("trajectory"))
         EXPECT_EQ(trajectory["accepted"], true) << trajectory["reason"];
+}
+
+/// The tip's frame hangs on the wrist of an arm that is stretched upwards; 30 N press it down.
+TEST_F(SiteRobot, aConsoleRecordsTheForceAtTheWrist) {
+    start(128);
+    writeBeside("ft.toml", "kind = \"ros_wrench\"\nname = \"wrist\"\ntopic = \"/ft/wrench\"\n");
+    writeFile("wrench = \"ft.toml\"\n", "announce = false\n");
+    m_site = std::make_unique<SiteProcess>(129, "[[device]]\nfile = \"" + path() + "\"\n");
+    m_site->start();
+    ASSERT_TRUE(m_robot.command("push 0 0 -30"));
+    const std::string recorded = m_folder.filePath("record.teleta").toStdString();
+    const ProgramResult record =
+        test::run({"site", "record", m_site->fileOf("r"), "--seconds", "2", "--out", recorded});
+    ASSERT_EQ(record.exitCode, 0) << record.err;
+    const ProgramResult exported =
+        test::run({"export", recorded, "--csv", m_folder.filePath("csv").toStdString()});
+    ASSERT_EQ(exported.exitCode, 0) << exported.err;
+    std::ifstream table(m_folder.filePath("csv/arm-wrench.csv").toStdString());
+    std::string header;
+    ASSERT_TRUE(std::getline(table, header)) << record.out << exported.out;
+    EXPECT_NE(header.find("force_x_n,force_y_n,force_z_n,torque_x_nm"), std::string::npos) << header;
+    std::string last;
+    std::size_t rows = 0;
+    for (std::string line; std::getline(table, line); ++rows)
+        last = line;
+    EXPECT_GT(rows, 20U);
+    std::vector<double> numbers;
+    std::istringstream words(last);
+    for (std::string word; std::getline(words, word, ',');)
+        numbers.push_back(std::stod(word));
+    const auto column = static_cast<std::size_t>(std::count(
+        header.begin(), header.begin() + static_cast<std::ptrdiff_t>(header.find("force_x_n")), ','));
+    ASSERT_GE(numbers.size(), column + 6);
+    EXPECT_NEAR(std::hypot(numbers[column], numbers[column + 1], numbers[column + 2]), 30.0, 3.0) << last;
 }
 
 TEST_F(SiteRobot, theArmIsHeldWithoutADeviceThatItRequires) {

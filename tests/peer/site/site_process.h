@@ -120,7 +120,7 @@ public:
             auto described = pipeline::recordedArm(stream, "lab");
             EXPECT_TRUE(described);
             const std::string arm = stream.name.substr(0, stream.name.find('-'));
-            m_arm = std::move(*site_link::RemoteArm::open(m_client, arm, described->description));
+            m_arm = std::move(*site_link::RemoteArm::open(m_client, arm, described->description, false));
         }
         m_arm->start(m_wakeup);
     }

@@ -86,6 +86,26 @@ TEST(WrenchPart, theForceEndsWhereItActsAndIsAsLongAsAContactsArrow) {
     EXPECT_FALSE(drawn.wrench.forceTail());
 }
 
+TEST(WrenchPart, aMeasuredForceNeedsAnArmButNoArray) {
+    Drawn drawn;
+    const Eigen::Vector3d p(0.0, 0.0, 0.6);
+    drawn.wrench.setForce(view3d::DrawnForce{p, {0.0, 0.0, -10.0}, true, 0.0});
+    drawn.wrench.draw(drawn.scene);
+    EXPECT_FALSE(drawn.wrench.forceTail());
+    view3d::ArmLink link;
+    link.length_m = 0.6;
+    link.radius_m = 0.02;
+    drawn.scene.setArmLinks(std::array{link});
+    drawn.wrench.draw(drawn.scene);
+    ASSERT_TRUE(drawn.wrench.forceTail());
+    EXPECT_GE(drawn.wrench.forceRange_N(drawn.scene), 10.0);
+    EXPECT_GT(drawn.wrench.forceTail()->z(), p.z()) << "it presses down on its head";
+    // What is computed from the torques is drawn beside what an array measures.
+    drawn.wrench.setForce(view3d::DrawnForce{p, {0.0, 0.0, -10.0}});
+    drawn.wrench.draw(drawn.scene);
+    EXPECT_FALSE(drawn.wrench.forceTail());
+}
+
 TEST(WrenchPart, theMomentTurnsTheWayItsArrowShows) {
     Drawn drawn;
     drawn.show(slanted());

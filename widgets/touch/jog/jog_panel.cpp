@@ -43,6 +43,7 @@ constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::A
 JogPanel::JogPanel(QWidget* parent)
     : QWidget(parent)
     , m_message(new QLabel(this))
+    , m_wrench(new QLabel(this))
     , m_handText(new QLabel(this))
     , m_driveSign(new DriveSign(this))
     , m_run(new QPushButton(base::themeIcon(base::Icon::play), {}, this))
@@ -62,6 +63,9 @@ JogPanel::JogPanel(QWidget* parent)
     m_restart->setObjectName(QStringLiteral("restart"));
     m_deadMan->setObjectName(QStringLiteral("deadMan"));
     m_message->setWordWrap(true);
+    m_wrench->setObjectName(QStringLiteral("wrench"));
+    m_wrench->setWordWrap(true);
+    m_wrench->hide();
     m_handText->setWordWrap(true);
     m_handText->hide();
     m_modeBox->addItems({QString(), QString()});
@@ -105,6 +109,7 @@ JogPanel::JogPanel(QWidget* parent)
     layout->addLayout(hold);
     layout->addLayout(kind);
     layout->addLayout(speed);
+    layout->addWidget(m_wrench);
     layout->addWidget(m_handText);
     layout->addStretch(1);
 
@@ -210,10 +215,10 @@ void JogPanel::enableParts() {
     }
     const bool tip = m_mode == Mode::tip;
     showHint();
+    const bool warns = !able || !m_hindrance.isEmpty() || (m_arm && !m_arm->guarded);
     base::setTextColour(m_message, isRecorded ? palette().color(QPalette::PlaceholderText)
-                                   : !able || !m_hindrance.isEmpty()
-                                       ? base::statusColours(palette()).lost
-                                       : palette().color(QPalette::PlaceholderText));
+                                   : warns    ? base::statusColours(palette()).lost
+                                              : palette().color(QPalette::PlaceholderText));
     m_deadMan->setEnabled(able);
     m_clutch->setEnabled(able && m_way == Way::position);
     for (std::size_t axis = 0; axis < m_rows.size(); ++axis) {
@@ -301,6 +306,16 @@ void JogPanel::setHand(const std::optional<HandMotion>& hand) {
 void JogPanel::setHandText(const QString& text) {
     m_handText->setText(text);
     m_handText->setVisible(!text.isEmpty());
+}
+
+void JogPanel::setWrench(const std::optional<core::WrenchSample>& wrench) {
+    const auto sizeOf = [](const std::array<double, 3>& axes) {
+        return Eigen::Vector3d::Map(axes.data()).norm();
+    };
+    const bool changed = m_force_N.update(wrench ? std::optional(sizeOf(wrench->force_N)) : std::nullopt);
+    const bool turned = m_torque_Nm.update(wrench ? std::optional(sizeOf(wrench->torque_Nm)) : std::nullopt);
+    if (changed || turned)
+        showWrench();
 }
 
 void JogPanel::setMode(Mode mode) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/touch/jog/position_guide.h"
 
 #include <QTimer>
@@ -77,6 +78,8 @@ public:
     void setReadingsAge(double age_s) { m_age_s = age_s; }
     /// The joint readings are stale: the arm is not moved blindly.
     void setReadingsOld(bool old);
+    /// What acts on the tip; empty: it is not known.
+    void setWrench(const std::optional<core::WrenchSample>& wrench);
     /// Why the arm does not move although it may be asked to, without a full stop; empty: nothing is in the
     /// way.
     void setHindrance(const QString& reason);
@@ -127,6 +130,7 @@ private:
     };
     void showHint();
     void showTip();
+    void showWrench();
     [[nodiscard]] bool hasKeyboard() const;
     /// Who guides the tip by position.
     enum class Leader { nobody, keys, hand };
@@ -169,6 +173,8 @@ private:
     bool m_stopEngaged = false;
     bool m_readingsOld = false;
     double m_age_s = 0.0; ///< of m_sample
+    base::SteadyNumber m_force_N;
+    base::SteadyNumber m_torque_Nm;
     HandMotion m_hand;
     bool m_handReady = false; ///< its button was let go since it was taken out of effect
     Mode m_mode = Mode::joints;
@@ -182,6 +188,7 @@ private:
     QTimer m_timer;
 
     QLabel* m_message;
+    QLabel* m_wrench;
     QLabel* m_handText;
     DriveSign* m_driveSign;
     QPushButton* m_run;

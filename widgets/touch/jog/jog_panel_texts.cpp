@@ -44,6 +44,7 @@ void JogPanel::retranslate() {
                           "still.</p>")
                      : tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
                           "together with a direction. Let go of either and it stands still.</p>"));
+    showWrench();
     m_run->setText(tr("&Run"));
     m_run->setToolTip(tr("Let the arm's program go on"));
     m_hold->setText(tr("&Hold"));
@@ -126,6 +127,14 @@ void JogPanel::showHint() {
                   "Keep its emergency stop within reach. %1")
                    .arg(text);
     m_message->setText(text);
+}
+
+void JogPanel::showWrench() {
+    m_wrench->setVisible(m_force_N.shown().has_value());
+    if (m_force_N.shown())
+        m_wrench->setText(tr("At the tip: force %1, torque %2")
+                              .arg(base::withUnit(m_force_N.text().trimmed(), QStringLiteral("N")),
+                                   base::withUnit(m_torque_Nm.text().trimmed(), QStringLiteral("Nm"))));
 }
 
 void JogPanel::showTip() {

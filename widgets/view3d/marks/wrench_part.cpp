@@ -18,7 +18,9 @@ constexpr double kForceShaft = 0.22;
 constexpr double kForceHead = 1.8;
 constexpr double kTurnShaft = 0.22;
 constexpr double kTurnHead = 1.6;
-constexpr double kTurn = 0.75;                                     ///< radius of the turn, in longest arrows
+constexpr double kTurn = 0.75;       ///< radius of the turn, in longest arrows
+constexpr double kArrowOfArm = 0.25; ///< longest, of the arm's size
+constexpr double kMarkOfArrow = 0.1;
 constexpr double kMostTurn_rad = 150.0 * std::numbers::pi / 180.0; ///< at the full range
 constexpr int kTurnSteps = 24;
 
@@ -51,30 +53,41 @@ void WrenchPart::take(const pipeline::TouchSnapshot& snapshot) {
     m_momentRange.update(0.0, moment_Nm ? moment_Nm->norm() : 0.0, snapshot.sourceTime_s);
 }
 
+void WrenchPart::setForce(const std::optional<DrawnForce>& force) {
+    m_drawnForce = force;
+    if (force && force->measured && force->force_N.allFinite())
+        m_measuredRange.update(0.0, force->force_N.norm(), force->time_s);
+}
+
+double WrenchPart::forceRange_N(const TouchScene& scene) const {
+    return isInNewton(scene) ? scene.forceRange_N() : m_measuredRange.high();
+}
+
 void WrenchPart::draw(const TouchScene& scene) {
     m_force.clear();
     m_moment.clear();
     m_forceTail.reset();
     m_momentHead.reset();
     if (isInNewton(scene)) {
-        drawForce(scene);
+        drawForce(scene, scene.sensorSize().arrow_m, scene.sensorSize().mark_m);
         drawMoment(scene);
+    } else if (m_drawnForce && m_drawnForce->measured && !scene.armBox_m().isEmpty()) {
+        const double arrow_m = kArrowOfArm * scene.armBox_m().diagonal().norm();
+        drawForce(scene, arrow_m, kMarkOfArrow * arrow_m);
     }
     m_force.finish();
     m_moment.finish();
 }
 
-void WrenchPart::drawForce(const TouchScene& scene) {
+void WrenchPart::drawForce(const TouchScene& scene, double arrow_m, double mark_m) {
     if (!m_drawnForce || !m_drawnForce->p_World_m.allFinite() || !m_drawnForce->force_N.allFinite())
         return;
-    const double share = m_drawnForce->force_N.norm() / scene.forceRange_N();
+    const double share = m_drawnForce->force_N.norm() / forceRange_N(scene);
     if (!(share > kLeastShare))
         return;
-    const SensorSize& size = scene.sensorSize();
     const Eigen::Vector3d& head = m_drawnForce->p_World_m;
-    m_forceTail = head - std::min(1.0, share) * size.arrow_m * m_drawnForce->force_N.normalized();
-    m_force.arrow(*m_forceTail, head, kForceShaft * size.mark_m, kForceHead * size.mark_m,
-                  m_colours.jointForce.rgb());
+    m_forceTail = head - std::min(1.0, share) * arrow_m * m_drawnForce->force_N.normalized();
+    m_force.arrow(*m_forceTail, head, kForceShaft * mark_m, kForceHead * mark_m, m_colours.jointForce.rgb());
 }
 
 void WrenchPart::drawMoment(const TouchScene& scene) {

@@ -21,9 +21,9 @@ namespace teleta::view3d {
 /// Empty where a feature is not defined. Source: tactile servoing paper, section 3.
 [[nodiscard]] std::optional<Eigen::Vector3d> momentOf_Nm(const contact::TactileFeatures& features);
 
-/// The force on an arm as its joints tell it, as a straight arrow that ends where it acts, and the moment of
-/// the loads on a flat array as an arrow that turns about it. Lengths have the scale of the contacts' arrows.
-/// Thread: one.
+/// The force on an arm as its joints or a sensor at its wrist tell it, as a straight arrow that ends where it
+/// acts, and the moment of the loads on a flat array as an arrow that turns about it. Lengths have the scale
+/// of the contacts' arrows; without an array a measured force has a scale of its own. Thread: one.
 class WrenchPart {
 public:
     void addTo(vtkRenderer* renderer);
@@ -35,7 +35,7 @@ public:
 
     /// The range of the moments follows the newest frame. Call once a frame.
     void take(const pipeline::TouchSnapshot& snapshot);
-    void setForce(const std::optional<DrawnForce>& force) { m_drawnForce = force; }
+    void setForce(const std::optional<DrawnForce>& force);
     [[nodiscard]] const std::optional<DrawnForce>& force() const { return m_drawnForce; }
     /// On an array that is bent the centres are not levers of the force: no moment.
     void setArrayBent(bool bent) { m_bent = bent; }
@@ -46,15 +46,18 @@ public:
     [[nodiscard]] const std::optional<Eigen::Vector3d>& forceTail() const { return m_forceTail; }
     [[nodiscard]] const std::optional<Eigen::Vector3d>& momentHead() const { return m_momentHead; }
     [[nodiscard]] double moment_Nm() const { return m_moment_Nm; }
+    /// Force of the longest arrow.
+    [[nodiscard]] double forceRange_N(const TouchScene& scene) const;
     /// Moment of the longest arrow.
     [[nodiscard]] double momentRange_Nm() const { return m_momentRange.high(); }
 
 private:
-    void drawForce(const TouchScene& scene);
+    void drawForce(const TouchScene& scene, double arrow_m, double mark_m);
     void drawMoment(const TouchScene& scene);
 
     std::optional<DrawnForce> m_drawnForce;
     base::CalmRange m_momentRange{1.0};
+    base::CalmRange m_measuredRange{5.0}; ///< N
     double m_leastRange_Nm = 0.0;
     std::optional<Eigen::Vector3d> m_forceTail;
     std::optional<Eigen::Vector3d> m_momentHead;

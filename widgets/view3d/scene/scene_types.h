@@ -51,6 +51,8 @@ struct JointDial {
 struct DrawnForce {
     Eigen::Vector3d p_World_m = Eigen::Vector3d::Zero(); ///< where it acts
     Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+    bool measured = false; ///< by a sensor at the wrist; otherwise computed from the joints' torques
+    double time_s = 0.0;   ///< when, with measured
 };
 
 /// A frame with z along an axis and x towards a direction, which need not be at right angles to the axis; any

@@ -105,7 +105,7 @@ core::Expected<SiteArm> openSiteArm(const site_link::RemoteSiteFile& file, const
                                   .arg(QLatin1String(option), names.join(QStringLiteral(", "))));
     const std::string name = site_link::deviceOf(*chosen);
     TELETA_TRY(const pipeline::RecordedArm described, pipeline::recordedArm(*chosen, file.name));
-    TELETA_TRY(auto arm, site_link::RemoteArm::open(site, name, described.description));
+    TELETA_TRY(auto arm, site_link::RemoteArm::open(site, name, described.description, false));
     std::vector<JogTarget::Joint> joints;
     if (described.chain) {
         joints = jointsOf(*described.chain);

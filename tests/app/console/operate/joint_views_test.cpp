@@ -178,6 +178,39 @@ private slots:
         QVERIFY(desk.scene->armBox_m().contains(Eigen::Vector3d(0.5, 0.0, 0.0)));
     }
 
+    /// The tip of the stretched arm has the axes of the base.
+    void aForceAtTheWristIsToldAndDrawn() {
+        Desk desk;
+        auto* arm = new BareArm(*desk.chain);
+        arm->hasWrench = true;
+        desk.views.setArm(
+            std::make_shared<pipeline::JointChannel>(std::unique_ptr<core::ArmSource>(arm), desk.chain),
+            base::Provenance::live);
+        const auto* told = desk.jog->findChild<QLabel*>("wrench");
+        QVERIFY(!told->isVisible());
+        const auto tick = [&](std::int64_t age_ns) {
+            core::JointSample sample;
+            sample.time_ns = core::steadyNow_ns();
+            sample.angle_rad = sample.reference_rad = JointVector::zeros(7);
+            (void)arm->push(sample);
+            (void)arm->push(core::WrenchSample{.time_ns = sample.time_ns - age_ns,
+                                               .force_N = {0.0, 3.0, 4.0},
+                                               .torque_Nm = {0.0, 0.0, 0.25}});
+            (void)desk.views.joints()->process();
+            desk.views.tick();
+        };
+        tick(0);
+        QVERIFY(told->isVisible());
+        QVERIFY2(told->text().contains("5.00") && told->text().contains("0.25"), qPrintable(told->text()));
+        QVERIFY(desk.scene->force());
+        const Eigen::Isometry3d X_Base_Tip = desk.chain->X_Base_Tip(JointVector::zeros(7));
+        QVERIFY(desk.scene->force()->p_World_m.isApprox(X_Base_Tip.translation()));
+        QVERIFY(desk.scene->force()->force_N.isApprox(X_Base_Tip.linear() * Eigen::Vector3d(0, 3, 4)));
+        tick(1'000'000'000);
+        QVERIFY2(!told->isVisible(), "an old force is not shown");
+        QVERIFY(!desk.scene->force());
+    }
+
     void anArmThatNothingStopsSaysSo() {
         Desk desk;
         const auto text = [&] {
