@@ -16692,6 +16692,22 @@ Lancez teleta-site --help pour en savoir plus.
         <source>What to do: %1.</source>
         <translation>À faire&#xa0;:&#xa0;%1.</translation>
     </message>
+    <message>
+        <source>With its sensor</source>
+        <translation>Avec son capteur</translation>
+    </message>
+    <message>
+        <source>By feel</source>
+        <translation>Au toucher</translation>
+    </message>
+    <message>
+        <source>By the curves</source>
+        <translation>D’après les courbes</translation>
+    </message>
+    <message>
+        <source>In files</source>
+        <translation>Dans des fichiers</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::StepList</name>
@@ -18510,11 +18526,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Le plus rapide&#xa0;: %1, %2 fois la limite (%3&#xa0;: %4).</translation>
     </message>
     <message>
-        <source>%1 (not measured)</source>
-        <comment>name of a job</comment>
-        <translation>%1 (non mesurée)</translation>
-    </message>
-    <message>
         <source>%1 (frontier)</source>
         <comment>name of a setting</comment>
         <translation>%1 (front de Pareto)</translation>
@@ -18544,20 +18555,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Tâches qui peuvent se faire vite ou exactement</translation>
     </message>
     <message>
-        <source>&amp;Measure this job</source>
-        <translation>&amp;Mesurer cette tâche</translation>
-    </message>
-    <message>
         <source>Measure &amp;all jobs</source>
         <translation>Mesurer &amp;toutes les tâches</translation>
     </message>
     <message>
         <source>Measure this job</source>
         <translation>Mesurer cette tâche</translation>
-    </message>
-    <message>
-        <source>Measure all jobs</source>
-        <translation>Mesurer toutes les tâches</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -18582,6 +18585,23 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Choose a setting in the table or the chart to read what it costs and gives.</source>
         <translation>Choisissez un réglage dans le tableau ou le graphique pour lire ce qu’il coûte et apporte.</translation>
+    </message>
+    <message>
+        <source>On the command line: %1</source>
+        <translation>En ligne de commande&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>times</comment>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Mesurer à nouveau</translation>
     </message>
 </context>
 <context>
@@ -23078,10 +23098,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::pattern::PatternLibrary</name>
     <message>
-        <source>Filter: name, tag</source>
-        <translation>Filtre&#xa0;: nom, étiquette</translation>
-    </message>
-    <message>
         <source>Filter the patterns</source>
         <translation>Filtrer les motifs</translation>
     </message>
@@ -23152,6 +23168,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Le motif en gras, précédé d’une barre, est ouvert dans l’éditeur&#xa0;; les touches agissent sur celui qui est en surbrillance.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Filter: name, tag (Ctrl+F)</source>
+        <translation>Filtrer&#xa0;: nom, étiquette (Ctrl+F)</translation>
     </message>
 </context>
 <context>
@@ -23547,6 +23567,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>%1 (%2)</source>
         <comment>signal, unit</comment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Search signals (Ctrl+F)</source>
+        <translation>Rechercher des signaux (Ctrl+F)</translation>
     </message>
 </context>
 <context>

@@ -16649,6 +16649,22 @@ Run teleta-site --help for more.
         <source>What to do: %1.</source>
         <translation>対処：%1。</translation>
     </message>
+    <message>
+        <source>With its sensor</source>
+        <translation>内蔵センサーで</translation>
+    </message>
+    <message>
+        <source>By feel</source>
+        <translation>体感で</translation>
+    </message>
+    <message>
+        <source>By the curves</source>
+        <translation>曲線から</translation>
+    </message>
+    <message>
+        <source>In files</source>
+        <translation>ファイルで</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::StepList</name>
@@ -18455,11 +18471,6 @@ Run teleta-site --help for more.
         <translation>最速: %1、限界 (%3: %4) の %2 倍です。</translation>
     </message>
     <message>
-        <source>%1 (not measured)</source>
-        <comment>name of a job</comment>
-        <translation>%1 (未測定)</translation>
-    </message>
-    <message>
         <source>%1 (frontier)</source>
         <comment>name of a setting</comment>
         <translation>%1 (フロンティア)</translation>
@@ -18489,20 +18500,12 @@ Run teleta-site --help for more.
         <translation>速く、または正確に行える処理</translation>
     </message>
     <message>
-        <source>&amp;Measure this job</source>
-        <translation>この処理を測定(&amp;M)</translation>
-    </message>
-    <message>
         <source>Measure &amp;all jobs</source>
         <translation>すべての処理を測定(&amp;A)</translation>
     </message>
     <message>
         <source>Measure this job</source>
         <translation>この処理を測定</translation>
-    </message>
-    <message>
-        <source>Measure all jobs</source>
-        <translation>すべての処理を測定</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -18527,6 +18530,23 @@ Run teleta-site --help for more.
     <message>
         <source>Choose a setting in the table or the chart to read what it costs and gives.</source>
         <translation>表またはチャートで設定を選ぶと、そのコストと効果が表示されます。</translation>
+    </message>
+    <message>
+        <source>On the command line: %1</source>
+        <translation>コマンドラインでの名前: %1</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未測定</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>times</comment>
+        <translation>%1～%2</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>もう一度測定(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -23010,10 +23030,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::pattern::PatternLibrary</name>
     <message>
-        <source>Filter: name, tag</source>
-        <translation>絞り込み: 名前、タグ</translation>
-    </message>
-    <message>
         <source>Filter the patterns</source>
         <translation>パターンを絞り込みます</translation>
     </message>
@@ -23084,6 +23100,10 @@ Run teleta-site --help for more.
     <message>
         <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
         <translation>&lt;p&gt;太字で、前に棒が付いているパターンがエディターで開いています。キーは強調表示されたパターンに作用します。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Filter: name, tag (Ctrl+F)</source>
+        <translation>絞り込み: 名前、タグ (Ctrl+F)</translation>
     </message>
 </context>
 <context>
@@ -23479,6 +23499,10 @@ Run teleta-site --help for more.
         <source>%1 (%2)</source>
         <comment>signal, unit</comment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Search signals (Ctrl+F)</source>
+        <translation>信号を検索 (Ctrl+F)</translation>
     </message>
 </context>
 <context>

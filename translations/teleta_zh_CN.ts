@@ -16649,6 +16649,22 @@ Run teleta-site --help for more.
         <source>What to do: %1.</source>
         <translation>处理办法：%1。</translation>
     </message>
+    <message>
+        <source>With its sensor</source>
+        <translation>用其传感器</translation>
+    </message>
+    <message>
+        <source>By feel</source>
+        <translation>凭感觉</translation>
+    </message>
+    <message>
+        <source>By the curves</source>
+        <translation>按曲线</translation>
+    </message>
+    <message>
+        <source>In files</source>
+        <translation>用文件</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::StepList</name>
@@ -18455,11 +18471,6 @@ Run teleta-site --help for more.
         <translation>最快：%1，为极限（%3：%4）的 %2 倍。</translation>
     </message>
     <message>
-        <source>%1 (not measured)</source>
-        <comment>name of a job</comment>
-        <translation>%1（未测量）</translation>
-    </message>
-    <message>
         <source>%1 (frontier)</source>
         <comment>name of a setting</comment>
         <translation>%1（前沿）</translation>
@@ -18489,20 +18500,12 @@ Run teleta-site --help for more.
         <translation>可快速或精确完成的任务</translation>
     </message>
     <message>
-        <source>&amp;Measure this job</source>
-        <translation>测量此任务(&amp;M)</translation>
-    </message>
-    <message>
         <source>Measure &amp;all jobs</source>
         <translation>测量所有任务(&amp;A)</translation>
     </message>
     <message>
         <source>Measure this job</source>
         <translation>测量此任务</translation>
-    </message>
-    <message>
-        <source>Measure all jobs</source>
-        <translation>测量所有任务</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -18527,6 +18530,23 @@ Run teleta-site --help for more.
     <message>
         <source>Choose a setting in the table or the chart to read what it costs and gives.</source>
         <translation>在表格或图表中选择一种设置，即可查看其代价和所得。</translation>
+    </message>
+    <message>
+        <source>On the command line: %1</source>
+        <translation>命令行名称：%1</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>times</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>重新测量(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -23010,10 +23030,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::pattern::PatternLibrary</name>
     <message>
-        <source>Filter: name, tag</source>
-        <translation>筛选：名称、标签</translation>
-    </message>
-    <message>
         <source>Filter the patterns</source>
         <translation>筛选图案</translation>
     </message>
@@ -23084,6 +23100,10 @@ Run teleta-site --help for more.
     <message>
         <source>&lt;p&gt;The pattern in bold, with a bar in front of it, is open in the editor; keys act on the highlighted one.&lt;/p&gt;</source>
         <translation>&lt;p&gt;以粗体显示、前面有竖条的图案正在编辑器中打开；按键作用于高亮的图案。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Filter: name, tag (Ctrl+F)</source>
+        <translation>筛选：名称、标签 (Ctrl+F)</translation>
     </message>
 </context>
 <context>
@@ -23479,6 +23499,10 @@ Run teleta-site --help for more.
         <source>%1 (%2)</source>
         <comment>signal, unit</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Search signals (Ctrl+F)</source>
+        <translation>搜索信号 (Ctrl+F)</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <utility>
 
@@ -117,18 +119,22 @@ void MotorsView::ask(FeltTask task) {
 QWidget* MotorsView::makeSteps() {
     auto* page = new QWidget(this);
     auto* grid = new QGridLayout;
-    const auto add = [&](const char* name, int row, int column, int span) {
-        QPushButton* made = addButton(name, page);
-        made->setMinimumHeight(base::em(this, 2.2));
-        grid->addWidget(made, row, column, 1, span);
+    const auto addRow = [&](std::initializer_list<const char*> names) {
+        const int row = grid->rowCount();
+        m_groups.push_back(new QLabel(page));
+        grid->addWidget(m_groups.back(), row, 0);
+        for (int column = 1; const char* name : names) {
+            QPushButton* made = addButton(name, page);
+            made->setMinimumHeight(base::em(this, 2.2));
+            grid->addWidget(made, row, column++);
+        }
     };
-    add("measure", 0, 0, 1);
-    add("measureAll", 0, 1, 1);
-    add("recording", 1, 0, 1);
-    add("excitation", 1, 1, 1);
-    add("feel", 2, 0, 2);
-    add("balance", 3, 0, 1);
-    add("curves", 3, 1, 1);
+    addRow({"measureAll", "measure"});
+    addRow({"feel", "balance"});
+    addRow({"curves"});
+    addRow({"recording", "excitation"});
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 1);
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(m_heading);
     layout->addWidget(m_speed);
@@ -339,6 +345,8 @@ void MotorsView::refresh() {
     enable("save", idle && known && !isSaved());
     enable("measure", m_facts.ready && m_facts.hasSensor);
     enable("measureAll", m_facts.ready && m_facts.hasSensor);
+    button("measureAll")->setDefault(m_facts.hasSensor);
+    button("feel")->setDefault(!m_facts.hasSensor);
     enable("feel", m_facts.ready);
     enable("balance", m_facts.ready);
     const auto hasCurve =
@@ -371,6 +379,10 @@ void MotorsView::retranslate() {
     name("reset", tr("&Reset"), tr("Discard the measurements"));
     name("save", tr("&Save"),
          tr("Save the profile for this bracelet: it is used whenever the bracelet is connected"));
+    const std::array<QString, 4> groups{tr("With its sensor"), tr("By feel"), tr("By the curves"),
+                                        tr("In files")};
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        m_groups[i]->setText(groups[i]);
     name("measure", tr("&Measure this motor"), QString());
     name("measureAll", tr("Measure &all six"), tr("One after another, with the bracelet's sensor"));
     name("recording", tr("&Open a recording\u2026"),

@@ -96,6 +96,7 @@ private:
     std::optional<std::size_t> m_measuring;
     MotorTable* m_table = new MotorTable(this);
     QStackedWidget* m_steps = new QStackedWidget(this);
+    std::vector<QLabel*> m_groups; ///< of buttons
     QLabel* m_heading = new QLabel(this);
     QLabel* m_speed = new QLabel(this);
     QLabel* m_measureText = new QLabel(this);

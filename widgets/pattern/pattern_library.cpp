@@ -2,6 +2,7 @@
 #include "widgets/pattern/pattern_library.h"
 
 #include "backend/pattern/model/built_in_patterns.h"
+#include "widgets/base/controls/find_shortcut.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
@@ -56,6 +57,7 @@ PatternLibrary::PatternLibrary(QWidget* parent)
     m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->installEventFilter(this);
+    base::findBy(m_filter, this);
     m_notice->setWordWrap(true);
     m_undo->setAutoDefault(false);
     auto* done = new QHBoxLayout;
@@ -185,7 +187,7 @@ void PatternLibrary::fill() {
 }
 
 void PatternLibrary::refill() {
-    m_filter->setPlaceholderText(tr("Filter: name, tag"));
+    m_filter->setPlaceholderText(tr("Filter: name, tag (Ctrl+F)"));
     m_filter->setAccessibleName(tr("Filter the patterns"));
     m_undo->setText(tr("Undo"));
     m_undo->setToolTip(tr("Undo the last change to the library (Ctrl+Z in the list)"));

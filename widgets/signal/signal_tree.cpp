@@ -122,7 +122,7 @@ SignalTree::SignalTree(QWidget* parent)
 }
 
 void SignalTree::retranslate() {
-    m_search->setPlaceholderText(tr("Search signals"));
+    m_search->setPlaceholderText(tr("Search signals (Ctrl+F)"));
     m_search->setAccessibleName(tr("Search signals"));
     m_view->setAccessibleName(tr("Signals of all sources"));
     m_model->setHorizontalHeaderLabels({tr("Signal"), tr("Newest value")});

@@ -23,6 +23,16 @@ QString millimetres(double length_m) {
     return base::withUnit(QLocale().toString(length_m * 1e3, 'g', 3), QStringLiteral("mm"));
 }
 
+struct MomentUnit {
+    double perNm;
+    QString name;
+};
+
+/// The unit in which moments of such a range are told.
+MomentUnit unitOf(double range_Nm) {
+    return range_Nm < 1.0 ? MomentUnit{1e3, QStringLiteral("mNm")} : MomentUnit{1.0, QStringLiteral("Nm")};
+}
+
 /// Without the filling that keeps changing numbers in place.
 QString quantity(double value, const QString& unit) {
     return base::withUnit(base::threeDigits(value).remove(QChar(0x2007)), unit);
@@ -130,12 +140,13 @@ void OverlayMaker::addWrench(const TouchScene& scene, const WrenchPart& wrench, 
                  scene.colours().jointForce, true, true});
     }
     if (wrench.areMomentsShown() && wrench.momentHead()) {
-        m_moment_mNm.update(1e3 * wrench.moment_Nm());
+        const MomentUnit unit = unitOf(wrench.momentRange_Nm());
+        m_moment.update(unit.perNm * wrench.moment_Nm());
         if (const auto place = placeInPicture(*scene.renderer(), *wrench.momentHead()))
             content.labels.push_back(
                 {*place,
                  //: A moment in the 3-D view
-                 tr("Moment: %1").arg(base::withUnit(m_moment_mNm.text().trimmed(), QStringLiteral("mNm"))),
+                 tr("Moment: %1").arg(base::withUnit(m_moment.text().trimmed(), unit.name)),
                  scene.colours().moment, true, true});
     }
 }
@@ -254,11 +265,13 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
         }
         if (request.forces && (!scene.marks().empty() || wrench.forceTail()))
             addForce(scene.forceRange_N(), QString::fromStdString(scene.snapshot().loadUnit));
-        if (wrench.areMomentsShown() && wrench.momentHead())
+        if (wrench.areMomentsShown() && wrench.momentHead()) {
+            const MomentUnit unit = unitOf(wrench.momentRange_Nm());
             add(tr("Moment, longest arrow: %1")
-                    .arg(base::withUnit(QLocale().toString(1e3 * wrench.momentRange_Nm(), 'g', 3),
-                                        QStringLiteral("mNm"))),
+                    .arg(base::withUnit(QLocale().toString(unit.perNm * wrench.momentRange_Nm(), 'g', 3),
+                                        unit.name)),
                 LegendLine::Arrow::turned);
+        }
     }
     if (scene.tube().isShown()) {
         const vision::CylinderSurface& surface = scene.tube().surface();

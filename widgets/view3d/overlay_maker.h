@@ -55,7 +55,7 @@ private:
     std::map<int, base::SteadyNumber> m_forces; ///< by identity
     std::map<int, base::SteadyNumber> m_deviations_mm;
     base::SteadyNumber m_jointForce_N;
-    base::SteadyNumber m_moment_mNm;
+    base::SteadyNumber m_moment; ///< in the unit of its range
 };
 
 } // namespace teleta::view3d

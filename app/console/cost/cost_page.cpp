@@ -116,7 +116,6 @@ CostPage::CostPage(const CostMeasuring::MakeLadders& makeLadders, const QString&
     connect(m_measure, &QPushButton::clicked, this, [this] { m_measuring->start(ladderShown()); });
     connect(m_measureAll, &QPushButton::clicked, this, [this] { m_measuring->start({}); });
     connect(m_measureEmpty, &QPushButton::clicked, m_measure, &QPushButton::click);
-    connect(m_measureAllEmpty, &QPushButton::clicked, m_measureAll, &QPushButton::click);
     connect(m_cancel, &QPushButton::clicked, m_measuring, &CostMeasuring::cancel);
     connect(m_chart, &cost::CostChart::rungClicked, this, [this](const QString& name) {
         for (int row = 0; row < m_table->rowCount(); ++row)
@@ -156,7 +155,7 @@ QWidget* CostPage::makeLadderColumn() {
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setSpacing(base::grid(this, 0.25));
+    m_list->setSpacing(base::grid(this, 0.5));
     m_measure = base::named<QPushButton>("measure", column);
     m_measureAll = base::named<QPushButton>("measureAll", column);
     m_cancel = base::named<QPushButton>("cancel", column);
@@ -212,7 +211,6 @@ QWidget* CostPage::makeMiddle() {
     m_empty = new chrome::EmptyState(base::Icon::cost, middle);
     m_measureEmpty = m_empty->addAction(QString(), QString());
     m_measureEmpty->setObjectName(QStringLiteral("measureEmpty"));
-    m_measureAllEmpty = m_empty->addAction(QString(), QString());
     m_results = new QStackedWidget(middle);
     m_results->addWidget(m_empty);
     m_results->addWidget(parts);
@@ -265,11 +263,19 @@ QString CostPage::cameraJob() const {
 void CostPage::showLadders() {
     for (int row = 0; row < m_list->count(); ++row) {
         const cost::Ladder& ladder = m_measuring->ladders()[static_cast<std::size_t>(row)];
-        const QString name = QString::fromStdString(ladder.name);
-        const bool measured = m_measuring->costOf(ladder.name) != nullptr;
         m_list->item(row)->setText(QString::fromStdString(ladder.title) + QLatin1Char('\n') +
-                                   (measured ? name : tr("%1 (not measured)", "name of a job").arg(name)));
+                                   timesOf(m_measuring->costOf(ladder.name)));
+        m_list->item(row)->setToolTip(tr("On the command line: %1").arg(QString::fromStdString(ladder.name)));
     }
+}
+
+QString CostPage::timesOf(const cost::LadderCost* costs) {
+    if (costs == nullptr || costs->rungs.empty())
+        return tr("not measured");
+    const auto [least, most] = std::ranges::minmax(costs->rungs, {}, &cost::RungCost::timeMedian_s);
+    return tr("%1 to %2", "times")
+        .arg(CostWords::quantity(least.timeMedian_s, QStringLiteral("s")),
+             CostWords::quantity(most.timeMedian_s, QStringLiteral("s")));
 }
 
 void CostPage::showCosts() {
@@ -291,6 +297,7 @@ void CostPage::showCosts() {
     m_truth->setText(truth);
     const cost::LadderCost costs = found != nullptr ? *found : cost::LadderCost{name, ladder->errorUnit, {}};
     m_results->setCurrentIndex(found != nullptr ? 1 : 0);
+    m_measure->setVisible(found != nullptr); // otherwise the middle has the button
     const QString unit = QString::fromStdString(costs.errorUnit);
     m_table->setRowCount(static_cast<int>(costs.rungs.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
@@ -351,7 +358,6 @@ void CostPage::showRunning() {
     m_measure->setEnabled(!running);
     m_measureAll->setEnabled(!running);
     m_measureEmpty->setEnabled(!running);
-    m_measureAllEmpty->setEnabled(!running);
     m_cancel->setEnabled(!m_measuring->isCancelled());
     m_cancel->setVisible(running);
     m_progress->setVisible(running);
@@ -444,13 +450,11 @@ void CostPage::retranslate() {
     m_tabs->setTabText(1, tr("Sweeps"));
     m_ladderHeading->setText(tr("Jobs"));
     m_list->setAccessibleName(tr("Jobs that can be done fast or accurately"));
-    m_measure->setText(tr("&Measure this job"));
+    m_measure->setText(tr("&Measure again"));
     m_measureAll->setText(tr("Measure &all jobs"));
     m_measureAll->setToolTip(tr("Takes a few minutes; you can go on using the console"));
     m_cancel->setText(tr("&Cancel"));
     m_measureEmpty->setText(tr("Measure this job"));
-    m_measureAllEmpty->setText(tr("Measure all jobs"));
-    m_measureAllEmpty->setToolTip(tr("Takes a few minutes; you can go on using the console"));
     m_table->setHorizontalHeaderLabels({tr("Setting"), tr("Parameter"), tr("Mean error"), tr("95 %"),
                                         tr("Worst"), tr("Median time"), tr("99 % time")});
     m_table->setAccessibleName(tr("Settings with their errors and times"));

@@ -62,6 +62,8 @@ private:
     [[nodiscard]] std::string ladderShown() const;
     void retranslate();
     void showLadders();
+    /// The shortest and the longest time of its settings, or that they are not known.
+    [[nodiscard]] static QString timesOf(const cost::LadderCost* costs);
     void showCosts();
     void showWords();
     /// The title of the camera's job.
@@ -78,7 +80,6 @@ private:
     QListWidget* m_list;
     chrome::EmptyState* m_empty;
     QPushButton* m_measureEmpty;
-    QPushButton* m_measureAllEmpty;
     QPushButton* m_measure;
     QPushButton* m_measureAll;
     QPushButton* m_cancel;

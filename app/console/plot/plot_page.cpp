@@ -4,6 +4,7 @@
 #include "backend/signal/signal_csv.h"
 #include "widgets/base/background.h"
 #include "widgets/base/compose.h"
+#include "widgets/base/controls/find_shortcut.h"
 #include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/numbers/number_format.h"
@@ -67,6 +68,7 @@ PlotPage::PlotPage(SourceManager& sources, ConsoleSettings& settings, QWidget* p
     m_undo->setShortcut(QKeySequence::Undo);
     m_undo->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     addAction(m_undo);
+    base::findBy(&m_tree->search(), this);
     connectViews();
     base::keepTranslated(this, &PlotPage::retranslate);
     showSources();

@@ -187,9 +187,11 @@ private slots:
         open({quickLadder("first"), quickLadder("second")});
         QVERIFY(part<QListWidget>("ladders").item(0)->text().contains(QLatin1String("not measured")));
         QVERIFY(!part<QTableWidget>("rungs").isVisible());
+        QVERIFY2(!part<QPushButton>("measure").isVisible(), "one button measures");
         QTest::mouseClick(&part<QPushButton>("measureEmpty"), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(part<QTableWidget>("rungs").rowCount(), 3, kPatience_ms);
         QVERIFY(part<QTableWidget>("rungs").isVisible());
+        QVERIFY(part<QPushButton>("measure").isVisible());
         QVERIFY(!part<QListWidget>("ladders").item(0)->text().contains(QLatin1String("not measured")));
         QVERIFY(part<QListWidget>("ladders").item(1)->text().contains(QLatin1String("not measured")));
         QVERIFY(part<QTableWidget>("rungs").item(2, 2)->text().contains(QStringLiteral("1.00")));
@@ -206,7 +208,7 @@ private slots:
         QVERIFY(!part<QPushButton>("cancel").isVisible());
         QTest::mouseClick(&part<QPushButton>("measureAll"), Qt::LeftButton);
         QTRY_VERIFY(part<QPushButton>("cancel").isVisible());
-        QVERIFY(!part<QPushButton>("measure").isEnabled());
+        QVERIFY(!part<QPushButton>("measureEmpty").isEnabled());
         const auto says = [this](const QString& text) {
             return std::ranges::any_of(m_page->findChildren<QLabel*>(), [&](const QLabel* label) {
                 return label->isVisible() && label->text() == text;
@@ -223,13 +225,13 @@ private slots:
         *held = false;
         QTRY_VERIFY_WITH_TIMEOUT(!m_page->measuring().isRunning(), kPatience_ms);
         QVERIFY(!part<QPushButton>("cancel").isVisible());
-        QVERIFY(part<QPushButton>("measure").isEnabled());
+        QVERIFY(part<QPushButton>("measureEmpty").isEnabled());
         QVERIFY(m_page->measuring().costOf("second") == nullptr);
         // A late click on Cancel begins nothing.
         QVERIFY(says("Not measured on this machine"));
         m_page->layout()->activate();
         QCoreApplication::processEvents();
-        for (const char* name : {"measure", "measureAll"}) {
+        for (const char* name : {"measureEmpty", "measureAll"}) {
             const auto& button = part<QPushButton>(name);
             QVERIFY(!cancel.intersects(QRect(button.mapTo(m_page.get(), QPoint()), button.size())));
         }
@@ -240,7 +242,7 @@ private slots:
     void aPageThatIsClosedWhileItMeasuresIsNotWaitedFor() {
         const auto held = std::make_shared<std::atomic<bool>>(true);
         open({quickLadder("first", held)});
-        QTest::mouseClick(&part<QPushButton>("measure"), Qt::LeftButton);
+        QTest::mouseClick(&part<QPushButton>("measureEmpty"), Qt::LeftButton);
         QTRY_VERIFY(m_page->measuring().isRunning());
         m_page.reset();
         *held = false;
@@ -257,7 +259,7 @@ private slots:
         open({quickLadder("first")});
         QTRY_COMPARE_WITH_TIMEOUT(m_page->messages().count(), 1, kPatience_ms);
         QVERIFY(m_page->messages().isVisible());
-        QTest::mouseClick(&part<QPushButton>("measure"), Qt::LeftButton);
+        QTest::mouseClick(&part<QPushButton>("measureEmpty"), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(part<QTableWidget>("rungs").rowCount(), 3, kPatience_ms);
     }
 
@@ -268,7 +270,7 @@ private slots:
             ladder.title = *title;
             return std::vector{ladder};
         });
-        QTest::mouseClick(&part<QPushButton>("measure"), Qt::LeftButton);
+        QTest::mouseClick(&part<QPushButton>("measureEmpty"), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(part<QTableWidget>("rungs").rowCount(), 3, kPatience_ms);
         QCOMPARE(part<QLabel>("title").text(), QStringLiteral("Title"));
         *title = "Titre";

@@ -118,6 +118,15 @@ private slots:
         QCOMPARE(asked.count(), 1);
     }
 
+    void aKeyLeadsToTheSearch() {
+        openRecording();
+        m_page->tree().view().setFocus();
+        QTest::keyClick(&m_page->tree().view(), Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(m_page->tree().search().hasFocus());
+        QTest::keyClicks(&m_page->tree().search(), "q1");
+        QCOMPARE(m_page->tree().search().text(), QStringLiteral("q1"));
+    }
+
     void aDroppedSignalOfARunningSceneIsDrawn() {
         m_sources->open(app::SceneRequest{":/scenes/tactile-indenter.toml", 1});
         QVERIFY(ticks([this] {
