@@ -70,6 +70,11 @@ void JointChartView::setJoints(std::size_t joints) {
     restyle();
 }
 
+void JointChartView::setJointNames(const QStringList& names) {
+    m_joints->setNames(names);
+    invalidate();
+}
+
 bool JointChartView::addTouch(const pipeline::TouchRecord& touch) {
     const auto first = m_history.nearestSource(touch.start_s);
     const auto last = m_history.nearestSource(touch.ready_s);

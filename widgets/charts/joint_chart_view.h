@@ -35,6 +35,8 @@ public:
 
     /// Sets the number of joints; forgets the samples of another arm.
     void setJoints(std::size_t joints);
+    /// As JointPlot::setNames().
+    void setJointNames(const QStringList& names);
     /// Stores samples; refresh() draws them. What a sample does not tell is a gap.
     void append(std::span<const core::JointSample> samples);
     /// Shades a touch. Returns false if its start is no longer stored.

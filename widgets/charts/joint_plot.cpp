@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 namespace teleta::charts {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kMilli = 1e3;
 constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
-constexpr double kLeastTorqueSpan_mNm = 20.0;
+constexpr double kLeastTorqueSpan_Nm = 0.02;
 constexpr double kLeastAngleSpan_deg = 5.0;
 constexpr auto kTorqueLane = static_cast<int>(JointPlot::Row::torque);
 
@@ -35,7 +36,7 @@ void JointPlot::setJoints(std::size_t joints) {
         return;
     clearLanes();
     m_count = joints;
-    addRow(Row::torque, kMilli, kLeastTorqueSpan_mNm);
+    addRow(Row::torque, m_perNm, m_perNm * kLeastTorqueSpan_Nm);
     addRow(Row::angle, kDegreesPerRad, kLeastAngleSpan_deg);
     setAnglesShown(m_anglesShown);
 }
@@ -50,6 +51,8 @@ void JointPlot::addRow(Row row, double scale, double minimumSpan) {
 }
 
 QString JointPlot::jointName(std::size_t joint) const {
+    if (joint < static_cast<std::size_t>(m_names.size()))
+        return m_names[static_cast<qsizetype>(joint)];
     if (m_count != 4 || joint >= m_count)
         return tr("joint %1").arg(joint + 1);
     return std::array{tr("shoulder roll"), tr("shoulder pitch"), tr("shoulder yaw"),
@@ -61,7 +64,9 @@ QString JointPlot::laneTitle(int lane) const {
 }
 
 QString JointPlot::laneUnit(int lane) const {
-    return lane == kTorqueLane ? QStringLiteral("mNm") : QStringLiteral("°");
+    if (lane != kTorqueLane)
+        return QStringLiteral("°");
+    return m_perNm == kMilli ? QStringLiteral("mNm") : QStringLiteral("Nm");
 }
 
 QString JointPlot::curveName(int, std::size_t curve) const {
@@ -83,7 +88,22 @@ void JointPlot::setAnglesShown(bool shown) {
     updateLanes();
 }
 
+void JointPlot::setTorqueUnit(double perNm) {
+    if (std::exchange(m_perNm, perNm) == perNm)
+        return;
+    Lane& torque = lanes()[kTorqueLane];
+    for (Curve& curve : torque.curves)
+        curve.style.display.scale = perNm;
+    torque.range = base::CalmRange(perNm * kLeastTorqueSpan_Nm);
+}
+
+void JointPlot::clearWindow() {
+    setTorqueUnit(1.0);
+    m_window->setShades({});
+}
+
 void JointPlot::setWindow(double low_Nm, double high_Nm) {
+    setTorqueUnit(kMilli);
     m_window->setShades({{kMilli * low_Nm, kMilli * high_Nm, {}}, {-kMilli * high_Nm, -kMilli * low_Nm, {}}});
 }
 

@@ -4,7 +4,10 @@
 #include "backend/core/device/arm_device.h"
 #include "widgets/charts/time_plot.h"
 
+#include <QStringList>
+
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace teleta::charts {
@@ -21,14 +24,17 @@ public:
 
     /// Of the arm; the curves start again.
     void setJoints(std::size_t joints);
+    /// As a description of the arm calls them; empty: they have the usual names.
+    void setNames(QStringList names) { m_names = std::move(names); }
     [[nodiscard]] std::size_t joints() const { return m_count; }
     [[nodiscard]] std::size_t columns() const { return 2 * m_count; }
 
     void setAnglesShown(bool shown);
-    /// Absolute torques of the window in which a touch is evaluated; marked on both sides of zero.
+    /// Absolute torques of the window in which a touch is evaluated; marked on both sides of zero. Torques
+    /// are in mNm then, else in Nm.
     void setWindow(double low_Nm, double high_Nm);
     /// Touches are not evaluated.
-    void clearWindow() { m_window->setShades({}); }
+    void clearWindow();
     void setTouches(std::vector<Shade> touches) { m_touches->setShades(std::move(touches)); }
     [[nodiscard]] const std::vector<Shade>& touches() const { return m_touches->shades(); }
 
@@ -46,8 +52,11 @@ protected:
 
 private:
     void addRow(Row row, double scale, double minimumSpan);
+    void setTorqueUnit(double perNm);
 
     std::size_t m_count = 0; ///< of joints
+    QStringList m_names;
+    double m_perNm = 1e3; ///< of the torques as drawn
     bool m_anglesShown = false;
     Shades* m_window;
     Shades* m_touches;

@@ -432,6 +432,9 @@ void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
     if (!force && !parts.marks.wrench.force())
         return;
     parts.marks.wrench.setForce(force);
+    parts.scene.setArmForceAt(force && force->measured && !parts.scene.hasSensor()
+                                  ? std::optional(force->p_World_m)
+                                  : std::nullopt);
     parts.scene.setOtherForce(force && force->force_N.allFinite() ? force->force_N.norm() : 0.0);
     parts.vtk->requestRender();
 }

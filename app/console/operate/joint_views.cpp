@@ -80,6 +80,10 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
     }
     m_chart->setProvenance(provenance);
     m_chart->setJoints(m_arm->description().joints());
+    QStringList names;
+    for (std::size_t joint = 0; m_arm->chain() && joint < m_arm->chain()->joints(); ++joint)
+        names << QString::fromStdString(m_arm->chain()->joint(joint).name);
+    m_chart->setJointNames(names);
     m_jog->setArm(m_arm->description(), m_arm->chain());
     // Nothing new may come: a recording that is paused stands as it was left.
     if (auto kept = m_kept.extract(m_arm))

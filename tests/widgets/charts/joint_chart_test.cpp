@@ -182,6 +182,23 @@ private slots:
         QVERIFY(text.endsWith("mNm"));
     }
 
+    void anArmWithoutTouchesHasNewtonMetresAndItsOwnNames() {
+        Chart chart;
+        chart.view.setJointNames({"base", "lower", "upper", "wrist"});
+        const auto elbow = [&] { return chart.view.plot()->lanePanel(JointPlot::Row::torque)->lines()[3]; };
+        const auto valueOf = [&] {
+            chart.view.refresh();
+            return elbow().value.section(QChar(0x00a0), 0, 0).remove(QChar(0x2007)).toDouble();
+        };
+        QCOMPARE(valueOf(), 60.0);
+        chart.view.setWindow(std::nullopt);
+        QCOMPARE(valueOf(), 0.06);
+        QVERIFY2(elbow().value.endsWith("Nm") && !elbow().value.endsWith("mNm"), qPrintable(elbow().value));
+        QCOMPARE(elbow().name, QStringLiteral("wrist"));
+        chart.view.setWindow(stiffness::TorqueWindow());
+        QCOMPARE(valueOf(), 60.0);
+    }
+
     void anglesAreARowOfTheirOwnInDegrees() {
         Chart chart;
         QVERIFY(chart.view.plot()->laneRect(JointPlot::Row::angle).isEmpty());

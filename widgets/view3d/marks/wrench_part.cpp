@@ -18,9 +18,8 @@ constexpr double kForceShaft = 0.22;
 constexpr double kForceHead = 1.8;
 constexpr double kTurnShaft = 0.22;
 constexpr double kTurnHead = 1.6;
-constexpr double kTurn = 0.75;       ///< radius of the turn, in longest arrows
-constexpr double kArrowOfArm = 0.25; ///< longest, of the arm's size
-constexpr double kMarkOfArrow = 0.1;
+constexpr double kTurn = 0.75; ///< radius of the turn, in longest arrows
+constexpr double kMarkOfArrow = 0.15;
 constexpr double kMostTurn_rad = 150.0 * std::numbers::pi / 180.0; ///< at the full range
 constexpr int kTurnSteps = 24;
 
@@ -72,7 +71,7 @@ void WrenchPart::draw(const TouchScene& scene) {
         drawForce(scene, scene.sensorSize().arrow_m, scene.sensorSize().mark_m);
         drawMoment(scene);
     } else if (m_drawnForce && m_drawnForce->measured && !scene.armBox_m().isEmpty()) {
-        const double arrow_m = kArrowOfArm * scene.armBox_m().diagonal().norm();
+        const double arrow_m = scene.armArrow_m();
         drawForce(scene, arrow_m, kMarkOfArrow * arrow_m);
     }
     m_force.finish();

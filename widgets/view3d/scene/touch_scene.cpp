@@ -17,6 +17,7 @@ namespace {
 constexpr double kRangeInThresholds = 5.0;
 constexpr double kSmallestRange_N = 1e-30;
 constexpr double kEmptySceneHalf_m = 0.05;
+constexpr double kArrowOfArm = 0.15; ///< longest, of the arm's size
 
 bool isDrawable(const pipeline::TouchSnapshot& snapshot) {
     const core::ArrayLayout& layout = snapshot.layout.grid();
@@ -268,6 +269,10 @@ Eigen::AlignedBox3d TouchScene::sensorBox_m() const {
             Eigen::Vector3d(0.5 * body.length_m, radius_m, radius_m)};
 }
 
+double TouchScene::armArrow_m() const {
+    return armBox_m().isEmpty() ? 0.0 : kArrowOfArm * armBox_m().diagonal().norm();
+}
+
 std::vector<Eigen::Vector3d> TouchScene::corners() const {
     std::vector<Eigen::Vector3d> corners;
     const auto add = [&](const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& X_World_Box) {
@@ -282,6 +287,10 @@ std::vector<Eigen::Vector3d> TouchScene::corners() const {
     add(m_contour.box_m(), Eigen::Isometry3d::Identity());
     add(m_objects.box_m(), Eigen::Isometry3d::Identity());
     add(armBox_m(), Eigen::Isometry3d::Identity());
+    if (m_armForceAt_m && !armBox_m().isEmpty()) {
+        const Eigen::Vector3d arrow = Eigen::Vector3d::Constant(armArrow_m());
+        add({*m_armForceAt_m - arrow, *m_armForceAt_m + arrow}, Eigen::Isometry3d::Identity());
+    }
     add(m_tube.box_m(), Eigen::Isometry3d::Identity());
     if (corners.empty()) {
         const Eigen::Vector3d half = Eigen::Vector3d::Constant(kEmptySceneHalf_m);

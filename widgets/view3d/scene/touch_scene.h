@@ -68,6 +68,11 @@ public:
         m_tube.setDisplacementShown(shown);
     }
     void setForcesShown(bool shown) { m_contacts.setForcesShown(shown); }
+    /// Where a force on the arm ends that has a scale of its own; the longest arrow fits into corners().
+    /// Empty: there is none.
+    void setArmForceAt(const std::optional<Eigen::Vector3d>& p_World_m) { m_armForceAt_m = p_World_m; }
+    /// Length of its longest arrow.
+    [[nodiscard]] double armArrow_m() const;
     /// Size of a force that is drawn beside the contacts' with the same scale; 0: there is none.
     void setOtherForce(double force_N) { m_otherForce_N = force_N; }
     /// The tube watched by a camera; null: none. Returns whether the outer shape of the scene changed.
@@ -131,6 +136,7 @@ private:
     base::CalmRange m_forceRange{1.0};
     double m_rangeThreshold_N = 0.0;
     double m_otherForce_N = 0.0;
+    std::optional<Eigen::Vector3d> m_armForceAt_m;
     Surface m_surface = Surface::plate;
     CylinderSize m_wantedCylinder;
     Eigen::Isometry3d m_X_World_Sensor = Eigen::Isometry3d::Identity();
