@@ -9193,16 +9193,16 @@ Run %2 --help for more.
         <translation>%1 ne donne pas de force, force_stop_N ne peut donc pas agir</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which the description does not have</source>
-        <translation>%1 donne une force dans le repère %2, que la description n’a pas</translation>
-    </message>
-    <message>
         <source>%1, which the arm requires, is not live</source>
         <translation>%1, qu’exige le bras, n’est pas actif</translation>
     </message>
     <message>
         <source>the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4</source>
         <translation>les horodatages de %1 ont %2&#xa0;s de retard sur cet ordinateur, MoveIt Servo admet de %3 à %4</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
+        <translation>%1 donne une force dans le repère %2, que ni la description ni /tf_static ne connaissent</translation>
     </message>
 </context>
 <context>
@@ -9296,10 +9296,6 @@ Run %2 --help for more.
         <translation>%1 ne donne pas de force</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which the description does not have</source>
-        <translation>%1 donne une force dans le repère %2, que la description n’a pas</translation>
-    </message>
-    <message>
         <source>%1 messages a second, longest gap %2 s, at most %3 N</source>
         <translation>%1 messages par seconde, plus longue pause %2&#xa0;s, au plus %3&#xa0;N</translation>
     </message>
@@ -9314,6 +9310,10 @@ Run %2 --help for more.
     <message>
         <source>UNGUARDED: %1 keeps its last command when this program ends or the network fails</source>
         <translation>SANS GARDE&#xa0;: %1 garde son dernier ordre quand ce programme s’arrête ou que le réseau est en panne</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
+        <translation>%1 donne une force dans le repère %2, que ni la description ni /tf_static ne connaissent</translation>
     </message>
 </context>
 <context>

@@ -9169,16 +9169,16 @@ Run %2 --help for more.
         <translation>%1が力を伝えないため、force_stop_Nは働きません</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which the description does not have</source>
-        <translation>%1が伝える力の座標系%2は記述にありません</translation>
-    </message>
-    <message>
         <source>%1, which the arm requires, is not live</source>
         <translation>アームに必須の%1がライブではありません</translation>
     </message>
     <message>
         <source>the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4</source>
         <translation>%1のスタンプはこのコンピューターより%2 s遅れています。MoveIt Servoが受け付けるのは%3から%4です</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
+        <translation>%1は座標系%2での力を伝えていますが、この座標系は記述にも/tf_staticにもありません</translation>
     </message>
 </context>
 <context>
@@ -9272,10 +9272,6 @@ Run %2 --help for more.
         <translation>%1は力を伝えていません</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which the description does not have</source>
-        <translation>%1が伝える力の座標系%2は記述にありません</translation>
-    </message>
-    <message>
         <source>%1 messages a second, longest gap %2 s, at most %3 N</source>
         <translation>毎秒%1メッセージ、最長の間隔%2 s、最大%3 N</translation>
     </message>
@@ -9290,6 +9286,10 @@ Run %2 --help for more.
     <message>
         <source>UNGUARDED: %1 keeps its last command when this program ends or the network fails</source>
         <translation>保護なし: このプログラムが終了するかネットワークが故障しても、%1は最後の指令を保ちます</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
+        <translation>%1は座標系%2での力を伝えていますが、この座標系は記述にも/tf_staticにもありません</translation>
     </message>
 </context>
 <context>

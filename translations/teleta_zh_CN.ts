@@ -9169,16 +9169,16 @@ Run %2 --help for more.
         <translation>%1 没有报告力，force_stop_N 无法起作用</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which the description does not have</source>
-        <translation>%1 报告的力所在的坐标系 %2 不在描述中</translation>
-    </message>
-    <message>
         <source>%1, which the arm requires, is not live</source>
         <translation>机械臂所需的 %1 不在线</translation>
     </message>
     <message>
         <source>the stamps of %1 are %2 s behind this computer, MoveIt Servo takes %3 to %4</source>
         <translation>%1 的时间戳比本计算机晚 %2 s，MoveIt Servo 接受 %3 到 %4</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
+        <translation>%1 在坐标系 %2 中报告力，但描述和 /tf_static 都没有该坐标系</translation>
     </message>
 </context>
 <context>
@@ -9272,10 +9272,6 @@ Run %2 --help for more.
         <translation>%1 没有报告力</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which the description does not have</source>
-        <translation>%1 报告的力所在的坐标系 %2 不在描述中</translation>
-    </message>
-    <message>
         <source>%1 messages a second, longest gap %2 s, at most %3 N</source>
         <translation>每秒 %1 条消息，最长间隔 %2 s，最大 %3 N</translation>
     </message>
@@ -9290,6 +9286,10 @@ Run %2 --help for more.
     <message>
         <source>UNGUARDED: %1 keeps its last command when this program ends or the network fails</source>
         <translation>无保护：本程序结束或网络出故障时，%1 保持其最后的指令</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
+        <translation>%1 在坐标系 %2 中报告力，但描述和 /tf_static 都没有该坐标系</translation>
     </message>
 </context>
 <context>

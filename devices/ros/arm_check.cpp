@@ -13,6 +13,7 @@
 #include "devices/ros/arm_commander.h"
 #include "devices/ros/joint_watch.h"
 #include "devices/ros/wall_clock.h"
+#include "devices/ros/wrench_readers.h"
 #include "devices/ros/wrench_watch.h"
 
 #include <QCoreApplication>
@@ -129,7 +130,8 @@ void findForce(Findings& findings, const RosArmFile& file, const ArmObservation&
     if (!seen.wrench->unknownFrame.empty())
         return findings.add(
             "force", bad,
-            ArmCheckText::tr("%1 reports a force in the frame %2, which the description does not have")
+            ArmCheckText::tr("%1 reports a force in the frame %2, which neither the description nor "
+                             "/tf_static has")
                 .arg(topic, asText(seen.wrench->unknownFrame)));
     const QString text =
         ArmCheckText::tr("%1 messages a second, longest gap %2 s, at most %3 N")
@@ -163,16 +165,12 @@ struct WatchedWrench {
     [[nodiscard]] static core::Expected<WatchedWrench>
     open(const std::shared_ptr<const dds::Participant>& participant, const RosWrenchFile& file,
          const std::shared_ptr<const arm_model::SerialChain>& chain) {
-        TELETA_TRY(auto reader,
-                   dds::Reader<ros::WrenchStamped>::open(participant, ros::ddsTopicOf(file.topic),
-                                                         ros::kSensorReader.withDepth(kDepth)));
-        return WatchedWrench{std::move(reader), WrenchWatch(file, chain), {}, {}};
+        TELETA_TRY(auto readers, WrenchReaders::open(participant, file, kDepth));
+        return WatchedWrench{std::move(readers), WrenchWatch(file, chain), {}, {}};
     }
 
     void look() {
-        (void)reader.take([this](const ros::WrenchStamped& message, const dds::SampleInfo&) {
-            const std::int64_t read_ns = core::steadyNow_ns();
-            watch.take(message, read_ns);
+        readers.take(watch, [this](std::int64_t read_ns) {
             const double force_N = watch.newest_N();
             if (!(force_N <= observed.strongest_N) && !std::isnan(observed.strongest_N))
                 observed.strongest_N = force_N;
@@ -192,7 +190,7 @@ struct WatchedWrench {
         return told;
     }
 
-    dds::Reader<ros::WrenchStamped> reader;
+    WrenchReaders readers;
     WrenchWatch watch;
     WrenchObservation observed;
     std::optional<std::int64_t> last_ns;
@@ -266,7 +264,7 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
     std::optional<WatchedWrench> wrench;
     if (file.wrench) {
         TELETA_TRY(auto opened, WatchedWrench::open(participant, *file.wrench, chain));
-        waitSet.attach(opened.reader);
+        waitSet.attach(opened.readers.wrench);
         wrench.emplace(std::move(opened));
     }
     ArmObservation seen;

@@ -25,7 +25,7 @@ struct WrenchObservation {
     std::uint64_t messages = 0;
     double longestGap_s = 0.0; ///< without a message; the whole time when there was none
     double strongest_N = 0.0;  ///< NaN: some force was no number
-    std::string unknownFrame;  ///< that the description does not have; empty: none
+    std::string unknownFrame;  ///< that is not known; empty: none
 };
 
 /// What was seen of an arm and its controller for some time.

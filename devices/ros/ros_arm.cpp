@@ -70,12 +70,10 @@ core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, con
                                                                ros::kSensorReader.withDepth(kReaderDepth)));
     TELETA_TRY(auto commander, ArmCommander::open(participant, file, names));
     std::vector<dds::Guid> readers{reader.guid()};
-    std::optional<dds::Reader<ros::WrenchStamped>> wrench;
+    std::optional<WrenchReaders> wrench;
     if (file.wrench) {
-        TELETA_TRY(auto opened,
-                   dds::Reader<ros::WrenchStamped>::open(participant, ros::ddsTopicOf(file.wrench->topic),
-                                                         ros::kSensorReader.withDepth(kReaderDepth)));
-        readers.push_back(opened.guid());
+        TELETA_TRY(auto opened, WrenchReaders::open(participant, *file.wrench, kReaderDepth));
+        readers.insert(readers.end(), {opened.wrench.guid(), opened.frames.guid()});
         wrench.emplace(std::move(opened));
     }
     std::optional<NodeAnnouncement> announcement;
@@ -109,7 +107,8 @@ RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> ch
     m_waitSet.attach(m_ends.reader);
     if (m_file.wrench) {
         m_wrench.emplace(*m_file.wrench, m_chain);
-        m_waitSet.attach(*m_ends.wrench);
+        m_waitSet.attach(m_ends.wrench->wrench);
+        m_waitSet.attach(m_ends.wrench->frames);
     }
 }
 
@@ -180,9 +179,7 @@ void RosArm::deliver(const ros::JoinedJoints& joints, std::int64_t read_ns) {
 void RosArm::takeWrench() {
     if (!m_wrench)
         return;
-    (void)m_ends.wrench->take([this](const ros::WrenchStamped& message, const dds::SampleInfo&) {
-        const std::int64_t read_ns = core::steadyNow_ns();
-        m_wrench->take(message, read_ns);
+    m_ends.wrench->take(*m_wrench, [this](std::int64_t read_ns) {
         const std::optional<ros::JoinedJoints> joints = m_watch.sampleAt(read_ns);
         if (std::optional<core::WrenchSample> sample =
                 joints ? m_wrench->atTip(joints->position) : std::nullopt)
@@ -293,7 +290,8 @@ QString RosArm::problemOf(const RosArmState& state) const {
         return m_wrench->unknownFrame().empty()
                    ? RosArmText::tr("%1 reports no force, so force_stop_N cannot work")
                          .arg(QString::fromStdString(m_file.wrench->topic))
-                   : RosArmText::tr("%1 reports a force in the frame %2, which the description does not have")
+                   : RosArmText::tr("%1 reports a force in the frame %2, which neither the description nor "
+                                    "/tf_static has")
                          .arg(QString::fromStdString(m_file.wrench->topic),
                               QString::fromStdString(m_wrench->unknownFrame()));
     if (!state.lacking.empty())

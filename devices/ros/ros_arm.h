@@ -19,6 +19,7 @@
 #include "devices/ros/joint_watch.h"
 #include "devices/ros/node_announcement.h"
 #include "devices/ros/trajectory_mover.h"
+#include "devices/ros/wrench_readers.h"
 #include "devices/ros/wrench_watch.h"
 
 #include <QString>
@@ -97,7 +98,7 @@ private:
         dds::Discovery discovery;
         dds::Reader<ros::JointState> reader;
         std::unique_ptr<ArmCommander> commander;
-        std::optional<dds::Reader<ros::WrenchStamped>> wrench;
+        std::optional<WrenchReaders> wrench;
         std::optional<NodeAnnouncement> announcement;
     };
 

@@ -16,18 +16,24 @@ WrenchWatch::WrenchWatch(const RosWrenchFile& file, std::shared_ptr<const arm_mo
     , m_timeout_ns(std::llround(file.timeout_s * 1e9)) {
 }
 
-std::optional<std::size_t> WrenchWatch::linkOf(const std::string& frame) const {
-    return m_chain->model().findLink(frame);
+void WrenchWatch::take(const ros::TFMessage& message) {
+    m_frames.take(message);
+    if (!m_lastFrame.empty())
+        findPlace();
+}
+
+void WrenchWatch::findPlace() {
+    m_place = m_frames.placeOf(m_lastFrame, m_chain->model());
+    m_unknownFrame = m_place ? std::string() : m_lastFrame;
 }
 
 void WrenchWatch::take(const ros::WrenchStamped& message, std::int64_t read_ns) {
     ++m_messages;
     const char* told = message.header.frame_id;
     std::string frame = told == nullptr || *told == '\0' ? m_frame : told;
-    if (frame != m_lastFrame || !m_link) {
-        m_link = linkOf(frame);
-        m_unknownFrame = m_link ? std::string() : frame;
+    if (frame != m_lastFrame || !m_place) {
         m_lastFrame = std::move(frame);
+        findPlace();
         m_isNew = false; // what came before has other axes
     }
     const auto& force = message.wrench.force;
@@ -45,18 +51,19 @@ void WrenchWatch::take(const ros::WrenchStamped& message, std::int64_t read_ns) 
 std::optional<Eigen::Vector3d> WrenchWatch::takeForce_Base_N(const core::JointVector& q,
                                                              std::int64_t now_ns) {
     const Eigen::Vector3d force_N = std::exchange(m_isNew, false) ? m_strongest_N : m_force_N;
-    if (!m_read_ns || now_ns - *m_read_ns > m_timeout_ns || !m_link)
+    if (!m_read_ns || now_ns - *m_read_ns > m_timeout_ns || !m_place)
         return std::nullopt;
-    return m_chain->linkPoses(q)[*m_link].linear() * force_N;
+    return m_chain->linkPoses(q)[m_place->link].linear() * (m_place->X_Link_Frame.linear() * force_N);
 }
 
 std::optional<core::WrenchSample> WrenchWatch::atTip(const core::JointVector& q) const {
-    if (!m_read_ns || !m_link || !m_force_N.allFinite() || !m_torque_Nm.allFinite())
+    if (!m_read_ns || !m_place || !m_force_N.allFinite() || !m_torque_Nm.allFinite())
         return std::nullopt;
-    const Eigen::Isometry3d X_Tip_Link = m_chain->X_Base_Tip(q).inverse() * m_chain->linkPoses(q)[*m_link];
-    const Eigen::Vector3d force_N = X_Tip_Link.linear() * m_force_N;
+    const Eigen::Isometry3d X_Base_Frame = m_chain->linkPoses(q)[m_place->link] * m_place->X_Link_Frame;
+    const Eigen::Isometry3d X_Tip_Frame = m_chain->X_Base_Tip(q).inverse() * X_Base_Frame;
+    const Eigen::Vector3d force_N = X_Tip_Frame.linear() * m_force_N;
     const Eigen::Vector3d torque_Nm =
-        X_Tip_Link.linear() * m_torque_Nm + X_Tip_Link.translation().cross(force_N);
+        X_Tip_Frame.linear() * m_torque_Nm + X_Tip_Frame.translation().cross(force_N);
     core::WrenchSample sample;
     sample.time_ns = *m_read_ns;
     sample.sourceTime_s = m_stamp_s;

@@ -5,6 +5,7 @@
 #include "backend/core/device/arm_device.h"
 #include "backend/ros/messages.h"
 #include "devices/ros/files/ros_wrench_file.h"
+#include "devices/ros/static_frames.h"
 
 #include <Eigen/Core>
 
@@ -21,12 +22,14 @@ class WrenchWatch {
 public:
     WrenchWatch(const RosWrenchFile& file, std::shared_ptr<const arm_model::SerialChain> chain);
 
+    /// Takes frames of /tf_static, in which messages may be.
+    void take(const ros::TFMessage& message);
     /// Takes a message that was read at this steady time (not decreasing).
     void take(const ros::WrenchStamped& message, std::int64_t read_ns);
 
     /// The strongest force on the arm since the last call, or else the newest, along the axes of its base, N;
     /// not finite where the sensor says so. Nothing: none came within the file's time, or the newest is in a
-    /// frame that the arm's description does not have. q: of the arm's joints.
+    /// frame that neither the arm's description nor /tf_static has. q: of the arm's joints.
     [[nodiscard]] std::optional<Eigen::Vector3d> takeForce_Base_N(const core::JointVector& q,
                                                                   std::int64_t now_ns);
 
@@ -37,25 +40,26 @@ public:
     /// The size of the newest force, N; NaN where it is no number, 0 before the first one.
     [[nodiscard]] double newest_N() const { return m_force_N.stableNorm(); }
 
-    /// The frame of the newest message, if the description does not have it; empty: it has it.
+    /// The frame of the newest message, if it is not known; empty: it is.
     [[nodiscard]] const std::string& unknownFrame() const { return m_unknownFrame; }
     [[nodiscard]] std::uint64_t messages() const { return m_messages; }
 
 private:
-    [[nodiscard]] std::optional<std::size_t> linkOf(const std::string& frame) const;
+    void findPlace();
 
     std::shared_ptr<const arm_model::SerialChain> m_chain;
     std::string m_frame; ///< where messages name none
     double m_sign;
     std::int64_t m_timeout_ns;
     std::optional<std::int64_t> m_read_ns;
-    Eigen::Vector3d m_force_N = Eigen::Vector3d::Zero();   ///< the newest, in the frame of the link
+    Eigen::Vector3d m_force_N = Eigen::Vector3d::Zero();   ///< the newest, in its frame
     Eigen::Vector3d m_torque_Nm = Eigen::Vector3d::Zero(); ///< of the same message
     double m_stamp_s = 0.0;
     Eigen::Vector3d m_strongest_N = Eigen::Vector3d::Zero();
-    bool m_isNew = false;              ///< m_strongest_N is since the last call
-    std::string m_lastFrame;           ///< of m_link
-    std::optional<std::size_t> m_link; ///< in ArmModel::links
+    bool m_isNew = false; ///< m_strongest_N is since the last call
+    StaticFrames m_frames;
+    std::string m_lastFrame;                    ///< of m_place
+    std::optional<StaticFrames::Place> m_place; ///< nothing: not known
     std::string m_unknownFrame;
     std::uint64_t m_messages = 0;
 };

@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
+#include <type_traits>
 
 namespace teleta::ros_arm {
 namespace {
@@ -44,6 +47,18 @@ public:
         message.wrench.force = {x, y, z};
         message.wrench.torque = {torque_Nm.x(), torque_Nm.y(), torque_Nm.z()};
         watch.take(message, time_ns);
+    }
+    /// quaternion: w, x, y, z.
+    void hang(std::string frame, std::string parent, const std::array<double, 3>& p_m,
+              const std::array<double, 4>& quaternion) {
+        std::array<std::remove_pointer_t<decltype(ros::TFMessage{}.transforms._buffer)>, 1> transforms{};
+        transforms[0].header.frame_id = parent.data();
+        transforms[0].child_frame_id = frame.data();
+        transforms[0].transform.translation = {p_m[0], p_m[1], p_m[2]};
+        transforms[0].transform.rotation = {quaternion[1], quaternion[2], quaternion[3], quaternion[0]};
+        ros::TFMessage message{};
+        ros::lend(message.transforms, std::span(transforms));
+        watch.take(message);
     }
     WrenchWatch watch;
 };
@@ -100,6 +115,35 @@ TEST(WrenchWatch, hasTheFrameAndTheSignOfItsFile) {
     const auto force = wrist.watch.takeForce_Base_N({0.4, 0.3}, 0);
     ASSERT_TRUE(force);
     EXPECT_TRUE(force->isApprox(Eigen::Vector3d(-std::cos(0.4), 0.0, std::sin(0.4)), 1e-12));
+}
+
+/// A sensor 0.1 m beyond the tool, turned by a right angle about its z.
+TEST(WrenchWatch, findsAFrameThatHangsOnALink) {
+    Wrist wrist;
+    const core::JointVector q{0.0, 0.0};
+    wrist.tell(1.0, 2.0, 3.0, 0, "sensor");
+    EXPECT_FALSE(wrist.watch.takeForce_Base_N(q, 0));
+    EXPECT_EQ(wrist.watch.unknownFrame(), "sensor");
+    wrist.hang("/mount", "tool0", {0.0, 0.0, 0.1}, {2.0, 0.0, 0.0, 0.0}); // not of length 1
+    wrist.hang("sensor", "/mount", {0.0, 0.0, 0.0}, {std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)});
+    EXPECT_EQ(wrist.watch.unknownFrame(), "");
+    const auto tip = wrist.watch.atTip(q);
+    ASSERT_TRUE(tip);
+    // x of the sensor is y of the tool; (0, 0, 0.1) x (-2, 1, 3) = (-0.1, -0.2, 0).
+    const std::array<double, 3> force_N{-2.0, 1.0, 3.0};
+    const std::array<double, 3> torque_Nm{-0.1, -0.2, 0.0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(tip->force_N[axis], force_N[axis], 1e-12);
+        EXPECT_NEAR(tip->torque_Nm[axis], torque_Nm[axis], 1e-12);
+    }
+    // What says nothing changes nothing.
+    wrist.hang("sensor", "tool0", {0.0, kNan, 0.0}, {1.0, 0.0, 0.0, 0.0});
+    wrist.hang("sensor", "tool0", {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0});
+    EXPECT_NEAR(wrist.watch.atTip(q)->force_N[0], -2.0, 1e-12);
+    // Frames that hang on each other are nowhere.
+    wrist.hang("mount", "sensor", {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0});
+    EXPECT_FALSE(wrist.watch.atTip(q));
+    EXPECT_EQ(wrist.watch.unknownFrame(), "sensor");
 }
 
 TEST(WrenchWatch, doesNotKnowAnOldForceOrOneOfAnUnknownFrame) {

@@ -338,6 +338,28 @@ TEST_F(RosArmPeer, aProbeListensToThePad) {
     EXPECT_GT(value(misfit, "misfits"), 10.0);
 }
 
+/// The robot tells its force in tool0 and that tool0 hangs on link_7; the file's description has no tool0.
+TEST_F(RosArmPeer, aForceIsFoundInAFrameThatOnlyTheRobotKnows) {
+    start(130);
+    std::ifstream urdf(kUrdf);
+    std::string bare;
+    for (std::string line; std::getline(urdf, line);)
+        if (line.find("tool0") == std::string::npos)
+            bare += line + '\n';
+    writeBeside("bare.urdf", bare);
+    writeBeside("ft.toml", "kind = \"ros_wrench\"\nname = \"wrist\"\ntopic = \"/ft/wrench\"\n");
+    writeBeside("arm.toml", "kind = \"ros_arm\"\nname = \"Robot\"\ndescription = \"bare.urdf\"\n"
+                            "base_frame = \"base_link\"\ntip_frame = \"link_7\"\neffort_unit = \"Nm\"\n"
+                            "controller = \"/arm_controller\"\nwrench = \"ft.toml\"\n"
+                            "[ros]\ndomain = 130\ninterface = \"lo\"\n[limits]\nforce_stop_N = 50.0\n");
+    const ProgramResult result = check();
+    EXPECT_EQ(result.exitCode, 0) << result.out << result.err;
+    const json rows = json::parse(result.out);
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const json& row) {
+        return row["check"] == "force" && row["result"] == "ok";
+    })) << result.out;
+}
+
 TEST_F(RosArmPeer, aForceAtTheWristHoldsTheArm) {
     start(112);
     writeBeside("ft.toml",
