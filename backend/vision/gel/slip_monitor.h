@@ -21,6 +21,7 @@ struct SharedMotion {
     double turn_rad = 0.0;
     std::vector<bool> sticks{}; ///< of each place: its residual is within the tolerance
     std::size_t sticking = 0;
+    double slipShare = 0.0; ///< of the contact, 0..1
 };
 
 /// The rigid motion of the places that stick: each pair of places proposes one, and that with which most
