@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kPatchNoises = 4.0;
 constexpr double kHiddenNoise_px = 0.05;
+/// The middle of many places is judged, not the most distant of all markers.
+constexpr double kHiddenSlipNoise_px = 0.035;
 constexpr double kLoadedShare = 0.25; ///< of the largest divergence
 constexpr double kLoadChanges = 0.25;
 constexpr double kRadial = 0.5; ///< sum of displacements over sum of their sizes, below which they spread
@@ -322,11 +324,11 @@ void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Foll
     mean_m /= std::max(1.0, static_cast<double>(places.size()));
     double growth = 0.0;
     if (std::abs(followed.load_m2) > loadNoise_m2(followed.loaded.size()))
-        growth = growthAcross(places, spread_m)
-                     .value_or(loadOn_m2(followed.loaded) / followed.load_m2 - 1.0);
+        growth = growthAcross(places, spread_m).value_or(loadOn_m2(followed.loaded) / followed.load_m2 - 1.0);
     for (std::size_t i = 0; i < places.size(); ++i)
         places[i].moved_m -= growth * (spread_m[i] - mean_m);
-    if (const auto motion = sharedMotion(places, m_noise_m))
+    if (const auto motion =
+            sharedMotion(places, gel.scale_m() * std::max(kHiddenSlipNoise_px, gel.noise_px())))
         contact.slipIndex = motion->slipShare;
     contact.event =
         followed.monitor.next(contact.slipIndex, contact.shearProxy_m, rimMoved_m(gel, contact), m_noise_m);

@@ -14,7 +14,8 @@ constexpr std::size_t kLeastPlaces = 5;
 constexpr std::size_t kMostProposals = 600;
 constexpr double kNoises = 3.0;
 constexpr double kShareOfMotion = 0.01;
-constexpr double kLeastShared = 0.5;
+constexpr double kLeastWay = 3.0; ///< tolerances; what moved less has not slipped yet
+constexpr double kMostUnshared = 0.5;
 /// With fewer places one more or less changes the extrapolation by more than what it corrects.
 constexpr std::size_t kLeastExtrapolated = 25;
 constexpr double kOver = 0.2;
@@ -76,15 +77,18 @@ double lagOf(const Rigid& rigid, const ContactPlace& place, double tolerance_m) 
     return way_m > tolerance_m ? (led_m - place.moved_m).dot(led_m) / way_m : 0.0;
 }
 
-/// The share of the squared motion of all places that one rigid motion explains. What only spreads has none.
-double sharedPart(std::span<const ContactPlace> places) {
+/// Whether the places went some way, and one rigid motion explains at least half of its squares. It explains
+/// nothing of what only spreads.
+bool moveAsOne(std::span<const ContactPlace> places, double tolerance_m) {
     const Rigid whole = rigidOf(places);
     double left_m2 = 0.0, all_m2 = 0.0;
     for (const ContactPlace& place : places) {
         left_m2 += (whole.at(place.rest_m) - place.rest_m - place.moved_m).squaredNorm();
         all_m2 += place.moved_m.squaredNorm();
     }
-    return all_m2 > 0.0 ? 1.0 - left_m2 / all_m2 : 0.0;
+    const double least_m = kLeastWay * tolerance_m;
+    return all_m2 > static_cast<double>(places.size()) * least_m * least_m &&
+           left_m2 <= kMostUnshared * all_m2;
 }
 
 /// A motion and how many places agree with it.
@@ -146,10 +150,10 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
         best = fitted;
     SharedMotion shared{.turn_rad = std::atan2(best.rigid.sine, best.rigid.cosine), .sticking = best.count};
     double slipping = 0.0;
-    const bool movesAsOne = sharedPart(places) > kLeastShared;
+    const bool slips = moveAsOne(places, tolerance_m);
     for (const ContactPlace& place : places) {
         shared.sticks.push_back(agrees(best.rigid, place));
-        if (!movesAsOne)
+        if (!slips)
             continue;
         const double weight = slipWeight(std::max(0.0, lagOf(best.rigid, place, tolerance_m)) / tolerance_m);
         slipping += places.size() < kLeastExtrapolated ? std::min(1.0, weight) : weight;
