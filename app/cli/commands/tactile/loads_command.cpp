@@ -170,9 +170,9 @@ private:
 Command loadsCommand() {
     return makeCommand<LoadsCommand>(
         "loads", LoadsText::tr("Newtons from the signals of a sensor, by presses with a known load"),
-        "teleta loads fit presses.csv --signals normal_proxy_m2,shear_proxy_x_m,shear_proxy_y_m --out "
-        "newtons.csv\n"
-        "  teleta loads apply newtons.csv contacts.csv");
+        "printf 'field_ut,force_n\\n0,0\\n10,1\\n21,2\\n30,3\\n41,4\\n' > presses.csv\n"
+        "  teleta loads fit presses.csv --signals field_ut --out newtons.csv\n"
+        "  teleta loads apply newtons.csv presses.csv");
 }
 
 } // namespace teleta::cli
