@@ -5884,6 +5884,143 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>LoadCalibration</name>
+    <message>
+        <source>%1 presses under load are too few for %2 signals</source>
+        <translation>%1 appuis sous charge sont trop peu pour %2 signaux</translation>
+    </message>
+    <message>
+        <source>at least %1 presses</source>
+        <translation>au moins %1 appuis</translation>
+    </message>
+    <message>
+        <source>%1 is the same in all presses</source>
+        <translation>%1 est le même dans tous les appuis</translation>
+    </message>
+    <message>
+        <source>loads of different sizes</source>
+        <translation>des charges de tailles différentes</translation>
+    </message>
+    <message>
+        <source>presses that change each signal</source>
+        <translation>des appuis qui changent chaque signal</translation>
+    </message>
+    <message>
+        <source>the presses do not tell the signals apart</source>
+        <translation>les appuis ne distinguent pas les signaux</translation>
+    </message>
+    <message>
+        <source>presses in which each signal changes without the others</source>
+        <translation>des appuis où chaque signal change sans les autres</translation>
+    </message>
+</context>
+<context>
+    <name>LoadCalibrationFile</name>
+    <message>
+        <source>&quot;%1&quot; is no load</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une charge</translation>
+    </message>
+    <message>
+        <source>the signal has no name</source>
+        <translation>le signal n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>least is above greatest</source>
+        <translation>least est supérieur à greatest</translation>
+    </message>
+    <message>
+        <source>there is no column with a load</source>
+        <translation>aucune colonne ne contient de charge</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>l’une de %1</translation>
+    </message>
+    <message>
+        <source>this load and signal are listed twice</source>
+        <translation>cette charge et ce signal figurent deux fois</translation>
+    </message>
+    <message>
+        <source>rest and range of this signal differ from another row</source>
+        <translation>le repos et la plage de ce signal diffèrent d’une autre ligne</translation>
+    </message>
+    <message>
+        <source>rows are missing</source>
+        <translation>des lignes manquent</translation>
+    </message>
+    <message>
+        <source>one for each load and signal</source>
+        <translation>une pour chaque charge et signal</translation>
+    </message>
+</context>
+<context>
+    <name>LoadsCommand</name>
+    <message>
+        <source>Find the matrix from presses with a known load</source>
+        <translation>Trouver la matrice à partir d’appuis de charge connue</translation>
+    </message>
+    <message>
+        <source>CSV, a row a press: the signals, and the loads in one or more of force_n, shear_x_n, shear_y_n, moment_nm</source>
+        <translation>CSV, une ligne par appui&#xa0;: les signaux, et les charges dans une ou plusieurs de force_n, shear_x_n, shear_y_n, moment_nm</translation>
+    </message>
+    <message>
+        <source>Columns of the signals, between commas</source>
+        <translation>Colonnes des signaux, séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Loads of each row of a table</source>
+        <translation>Charges de chaque ligne d’un tableau</translation>
+    </message>
+    <message>
+        <source>What &quot;teleta loads fit&quot; has written</source>
+        <translation>Ce que «&#xa0;teleta loads fit&#xa0;» a écrit</translation>
+    </message>
+    <message>
+        <source>CSV with the same signals</source>
+        <translation>CSV avec les mêmes signaux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no signal</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un signal</translation>
+    </message>
+    <message>
+        <source>%1 is named twice</source>
+        <translation>%1 est nommé deux fois</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>Appuis</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signaux</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Conditionnement</translation>
+    </message>
+    <message>
+        <source>off by %1 (standard deviation)</source>
+        <translation>écart de %1 (écart type)</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>ce n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a number, or NA</source>
+        <translation>un nombre ou NA</translation>
+    </message>
+    <message>
+        <source>Newtons from the signals of a sensor, by presses with a known load</source>
+        <translation>Newtons à partir des signaux d’un capteur, par des appuis de charge connue</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Camera file that teleta calibrate has written</source>

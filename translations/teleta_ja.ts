@@ -5866,6 +5866,143 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LoadCalibration</name>
+    <message>
+        <source>%1 presses under load are too few for %2 signals</source>
+        <translation>%2個の信号に対して、荷重のある押し込み%1回は少なすぎます</translation>
+    </message>
+    <message>
+        <source>at least %1 presses</source>
+        <translation>%1回以上の押し込み</translation>
+    </message>
+    <message>
+        <source>%1 is the same in all presses</source>
+        <translation>%1はすべての押し込みで同じです</translation>
+    </message>
+    <message>
+        <source>loads of different sizes</source>
+        <translation>大きさの異なる荷重</translation>
+    </message>
+    <message>
+        <source>presses that change each signal</source>
+        <translation>各信号が変化する押し込み</translation>
+    </message>
+    <message>
+        <source>the presses do not tell the signals apart</source>
+        <translation>押し込みからは信号を区別できません</translation>
+    </message>
+    <message>
+        <source>presses in which each signal changes without the others</source>
+        <translation>各信号が他と独立に変化する押し込み</translation>
+    </message>
+</context>
+<context>
+    <name>LoadCalibrationFile</name>
+    <message>
+        <source>&quot;%1&quot; is no load</source>
+        <translation>「%1」は荷重ではありません</translation>
+    </message>
+    <message>
+        <source>the signal has no name</source>
+        <translation>信号に名前がありません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>「%1」は数ではありません</translation>
+    </message>
+    <message>
+        <source>least is above greatest</source>
+        <translation>leastがgreatestより大きくなっています</translation>
+    </message>
+    <message>
+        <source>there is no column with a load</source>
+        <translation>荷重の列がありません</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1のいずれか</translation>
+    </message>
+    <message>
+        <source>this load and signal are listed twice</source>
+        <translation>この荷重と信号の組が2回あります</translation>
+    </message>
+    <message>
+        <source>rest and range of this signal differ from another row</source>
+        <translation>この信号の静止値と範囲が他の行と異なります</translation>
+    </message>
+    <message>
+        <source>rows are missing</source>
+        <translation>行が足りません</translation>
+    </message>
+    <message>
+        <source>one for each load and signal</source>
+        <translation>荷重と信号の組ごとに1行</translation>
+    </message>
+</context>
+<context>
+    <name>LoadsCommand</name>
+    <message>
+        <source>Find the matrix from presses with a known load</source>
+        <translation>既知の荷重の押し込みから行列を求めます</translation>
+    </message>
+    <message>
+        <source>CSV, a row a press: the signals, and the loads in one or more of force_n, shear_x_n, shear_y_n, moment_nm</source>
+        <translation>1行に1回の押し込みのCSV。信号と、force_n、shear_x_n、shear_y_n、moment_nmのうち1つ以上の荷重</translation>
+    </message>
+    <message>
+        <source>Columns of the signals, between commas</source>
+        <translation>信号の列。コンマで区切ります</translation>
+    </message>
+    <message>
+        <source>Loads of each row of a table</source>
+        <translation>表の各行の荷重</translation>
+    </message>
+    <message>
+        <source>What &quot;teleta loads fit&quot; has written</source>
+        <translation>「teleta loads fit」が書いたファイル</translation>
+    </message>
+    <message>
+        <source>CSV with the same signals</source>
+        <translation>同じ信号のCSV</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no signal</source>
+        <translation>「%1」は信号ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is named twice</source>
+        <translation>%1が2回あります</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>押し込み</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件数</translation>
+    </message>
+    <message>
+        <source>off by %1 (standard deviation)</source>
+        <translation>ずれ%1(標準偏差)</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>数ではありません</translation>
+    </message>
+    <message>
+        <source>a number, or NA</source>
+        <translation>数、またはNA</translation>
+    </message>
+    <message>
+        <source>Newtons from the signals of a sensor, by presses with a known load</source>
+        <translation>既知の荷重の押し込みによって、センサーの信号をニュートンに変えます</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Camera file that teleta calibrate has written</source>

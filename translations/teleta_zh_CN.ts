@@ -5866,6 +5866,143 @@ Examples:
     </message>
 </context>
 <context>
+    <name>LoadCalibration</name>
+    <message>
+        <source>%1 presses under load are too few for %2 signals</source>
+        <translation>对 %2 个信号来说，%1 次有载荷的按压太少</translation>
+    </message>
+    <message>
+        <source>at least %1 presses</source>
+        <translation>至少 %1 次按压</translation>
+    </message>
+    <message>
+        <source>%1 is the same in all presses</source>
+        <translation>%1 在所有按压中都相同</translation>
+    </message>
+    <message>
+        <source>loads of different sizes</source>
+        <translation>大小不同的载荷</translation>
+    </message>
+    <message>
+        <source>presses that change each signal</source>
+        <translation>使每个信号都变化的按压</translation>
+    </message>
+    <message>
+        <source>the presses do not tell the signals apart</source>
+        <translation>这些按压无法区分各信号</translation>
+    </message>
+    <message>
+        <source>presses in which each signal changes without the others</source>
+        <translation>每个信号都单独变化过的按压</translation>
+    </message>
+</context>
+<context>
+    <name>LoadCalibrationFile</name>
+    <message>
+        <source>&quot;%1&quot; is no load</source>
+        <translation>“%1”不是载荷</translation>
+    </message>
+    <message>
+        <source>the signal has no name</source>
+        <translation>信号没有名称</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>“%1”不是数字</translation>
+    </message>
+    <message>
+        <source>least is above greatest</source>
+        <translation>least 大于 greatest</translation>
+    </message>
+    <message>
+        <source>there is no column with a load</source>
+        <translation>没有载荷列</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>this load and signal are listed twice</source>
+        <translation>此载荷与信号的组合出现了两次</translation>
+    </message>
+    <message>
+        <source>rest and range of this signal differ from another row</source>
+        <translation>此信号的静止值和范围与另一行不同</translation>
+    </message>
+    <message>
+        <source>rows are missing</source>
+        <translation>缺少行</translation>
+    </message>
+    <message>
+        <source>one for each load and signal</source>
+        <translation>每个载荷与信号各一行</translation>
+    </message>
+</context>
+<context>
+    <name>LoadsCommand</name>
+    <message>
+        <source>Find the matrix from presses with a known load</source>
+        <translation>由已知载荷的按压求出矩阵</translation>
+    </message>
+    <message>
+        <source>CSV, a row a press: the signals, and the loads in one or more of force_n, shear_x_n, shear_y_n, moment_nm</source>
+        <translation>CSV，每行一次按压：信号，以及 force_n、shear_x_n、shear_y_n、moment_nm 中一个或多个载荷</translation>
+    </message>
+    <message>
+        <source>Columns of the signals, between commas</source>
+        <translation>信号的列，以逗号分隔</translation>
+    </message>
+    <message>
+        <source>Loads of each row of a table</source>
+        <translation>表中每行的载荷</translation>
+    </message>
+    <message>
+        <source>What &quot;teleta loads fit&quot; has written</source>
+        <translation>“teleta loads fit”写出的文件</translation>
+    </message>
+    <message>
+        <source>CSV with the same signals</source>
+        <translation>含相同信号的 CSV</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no signal</source>
+        <translation>“%1”不是信号</translation>
+    </message>
+    <message>
+        <source>%1 is named twice</source>
+        <translation>%1 出现了两次</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>按压</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件数</translation>
+    </message>
+    <message>
+        <source>off by %1 (standard deviation)</source>
+        <translation>偏差 %1（标准差）</translation>
+    </message>
+    <message>
+        <source>this is no number</source>
+        <translation>这不是数字</translation>
+    </message>
+    <message>
+        <source>a number, or NA</source>
+        <translation>数字或 NA</translation>
+    </message>
+    <message>
+        <source>Newtons from the signals of a sensor, by presses with a known load</source>
+        <translation>借助已知载荷的按压，把传感器信号变为牛顿</translation>
+    </message>
+</context>
+<context>
     <name>LocateCommand</name>
     <message>
         <source>Camera file that teleta calibrate has written</source>

@@ -23,10 +23,10 @@ using namespace teleta::cli;
 std::vector<Command> allCommands() {
     std::vector<Command> commands = everydayCommands();
     for (Command& command :
-         std::array{calibrateCommand(), locateCommand(), trackCommand(), markersCommand(), simulateCommand(),
-                    replayCommand(), exportCommand(), importCommand(), patternCommand(), studyCommand(),
-                    tradeoffCommand(), sweepCommand(), armCommand(), devicesCommand(), rosCommand(),
-                    certifyCommand(), siteCommand()})
+         std::array{loadsCommand(), calibrateCommand(), locateCommand(), trackCommand(), markersCommand(),
+                    simulateCommand(), replayCommand(), exportCommand(), importCommand(), patternCommand(),
+                    studyCommand(), tradeoffCommand(), sweepCommand(), armCommand(), devicesCommand(),
+                    rosCommand(), certifyCommand(), siteCommand()})
         commands.push_back(std::move(command));
     return commands;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/vision/gel/gel_contacts.h"
 
+#include <Eigen/Cholesky>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace teleta::vision {
@@ -14,6 +17,8 @@ namespace {
 
 constexpr double kPatchNoises = 4.0;
 constexpr double kHiddenNoise_px = 0.05;
+/// The middle of many places is judged, not the most distant of all markers.
+constexpr double kHiddenSlipNoise_px = 0.035;
 constexpr double kLoadedShare = 0.25; ///< of the largest divergence
 constexpr double kLoadChanges = 0.25;
 constexpr double kRadial = 0.5; ///< sum of displacements over sum of their sizes, below which they spread
@@ -31,6 +36,44 @@ std::vector<Eigen::Vector2d> hullOf(const std::vector<Eigen::Vector2d>& points) 
     for (const int corner : corners)
         hull.push_back(points[static_cast<std::size_t>(corner)]);
     return hull;
+}
+
+/// The share by which an area grows, det(1 + G) - 1. A turn has a divergence, but does not change it.
+double stretchOf(const MarkerStrain& strain) {
+    const double product = 0.25 * (strain.divergence * strain.divergence + strain.curl * strain.curl -
+                                   strain.shear * strain.shear);
+    return strain.divergence + product;
+}
+
+/// By which share of `spread` the places were spread across the way that they went on average, by least
+/// squares with a shift and a turn: slip along that way does not change it. Nothing: they went no way
+/// together, or are not spread.
+std::optional<double> growthAcross(std::span<const ContactPlace> places,
+                                   std::span<const Eigen::Vector2d> spread_m) {
+    Eigen::Vector2d way_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
+    double sizes_m = 0.0;
+    for (const ContactPlace& place : places) {
+        way_m += place.moved_m;
+        middle_m += place.rest_m;
+        sizes_m += place.moved_m.norm();
+    }
+    if (!(way_m.norm() > kRadial * sizes_m))
+        return std::nullopt;
+    middle_m /= static_cast<double>(places.size());
+    const Eigen::Vector2d along = way_m.normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Eigen::Vector3d row(1.0, along.dot(places[i].rest_m - middle_m), across.dot(spread_m[i]));
+        normal += row * row.transpose();
+        right += row * across.dot(places[i].moved_m);
+    }
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
+    if (solver.info() != Eigen::Success || !solver.isPositive() || !(solver.rcond() > 1e-12))
+        return std::nullopt;
+    return solver.solve(right).z();
 }
 
 } // namespace
@@ -188,7 +231,7 @@ GelContacts::Followed GelContacts::followedInto(std::size_t patch, std::vector<F
 double GelContacts::loadOn_m2(const std::vector<std::size_t>& markers) const {
     double sum = 0.0;
     for (const std::size_t i : markers)
-        sum += m_strains[i].known ? m_strains[i].divergence : 0.0;
+        sum += m_strains[i].known ? stretchOf(m_strains[i]) : 0.0;
     return sum * m_pitch_m * m_pitch_m;
 }
 
@@ -267,29 +310,26 @@ void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Foll
     }
     // As long as the load changes little, the spread grows in proportion to it.
     Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
-    double known = 0.0;
-    for (const Eigen::Vector2d& start_m : followed.start_m) {
-        if (start_m.allFinite()) {
-            mean_m += start_m;
-            known += 1.0;
-        }
-    }
-    if (known > 0.0)
-        mean_m /= known;
-    const double growth = std::abs(followed.load_m2) > loadNoise_m2(followed.loaded.size())
-                              ? loadOn_m2(followed.loaded) / followed.load_m2 - 1.0
-                              : 0.0;
     std::vector<ContactPlace> places;
+    std::vector<Eigen::Vector2d> spread_m;
     for (std::size_t n = 0; n < followed.loaded.size(); ++n) {
         const std::size_t i = followed.loaded[n];
         if (!motions[i].found || !followed.start_m[n].allFinite())
             continue;
         places.push_back({.rest_m = gel.markers()[i].rest_m + followed.start_m[n],
-                          .moved_m = motions[i].displacement_m - followed.start_m[n] -
-                                     growth * (followed.start_m[n] - mean_m)});
+                          .moved_m = motions[i].displacement_m - followed.start_m[n]});
+        spread_m.push_back(followed.start_m[n]);
+        mean_m += followed.start_m[n];
     }
-    if (const auto motion = sharedMotion(places, m_noise_m))
-        contact.slipIndex = 1.0 - static_cast<double>(motion->sticking) / static_cast<double>(places.size());
+    mean_m /= std::max(1.0, static_cast<double>(places.size()));
+    double growth = 0.0;
+    if (std::abs(followed.load_m2) > loadNoise_m2(followed.loaded.size()))
+        growth = growthAcross(places, spread_m).value_or(loadOn_m2(followed.loaded) / followed.load_m2 - 1.0);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i].moved_m -= growth * (spread_m[i] - mean_m);
+    if (const auto motion =
+            sharedMotion(places, gel.scale_m() * std::max(kHiddenSlipNoise_px, gel.noise_px())))
+        contact.slipIndex = motion->slipShare;
     contact.event =
         followed.monitor.next(contact.slipIndex, contact.shearProxy_m, rimMoved_m(gel, contact), m_noise_m);
 }

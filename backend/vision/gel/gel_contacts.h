@@ -25,7 +25,7 @@ struct GelContactState {
     Eigen::Vector2d shearProxy_m =
         Eigen::Vector2d::Zero();     ///< mean displacement less that outside of patches
     double torsion_rad = 0.0;        ///< half the mean curl
-    std::optional<double> slipIndex; ///< 1 - sticking / all, 0..1; nothing under five markers
+    std::optional<double> slipIndex; ///< share that slips, 0..1; nothing under five markers
     SlipEvent event = SlipEvent::none;
 };
 
@@ -33,7 +33,8 @@ struct GelContactState {
 /// (of at least 0.05 px, since compressed videos hide noise), parted by a watershed over the graph of
 /// neighbours. Slip is judged where the load spreads the skin, or on the whole patch where it does not, from
 /// the motion since the load last changed by a quarter, less what its spread has grown in proportion to it:
-/// the skin spreads without slipping. Thread: one.
+/// the skin spreads without slipping. That proportion comes from the motion across the way of the contact,
+/// which slip does not change, or from the load where it goes no way. Thread: one.
 class GelContacts {
 public:
     /// The contacts of the next picture, the largest displacement first.

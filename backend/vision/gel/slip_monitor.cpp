@@ -13,7 +13,11 @@ namespace {
 constexpr std::size_t kLeastPlaces = 5;
 constexpr std::size_t kMostProposals = 600;
 constexpr double kNoises = 3.0;
-constexpr double kShareOfMotion = 0.05;
+constexpr double kShareOfMotion = 0.01;
+constexpr double kLeastWay = 3.0; ///< tolerances; what moved less has not slipped yet
+constexpr double kMostUnshared = 0.5;
+/// With fewer places one more or less changes the extrapolation by more than what it corrects.
+constexpr std::size_t kLeastExtrapolated = 25;
 constexpr double kOver = 0.2;
 constexpr double kFallen = 0.8;
 constexpr int kFrames = 2;
@@ -49,6 +53,42 @@ Rigid rigidOf(std::span<const ContactPlace> places) {
         rigid.sine = cross / size;
     }
     return rigid;
+}
+
+/// What a place that lags counts for in the share that slips, so that the sum is what it would be without a
+/// tolerance. The area that lags by more than l falls in a line over l^(2/3), since a lag grows from the edge
+/// of what sticks with the power 3/2 of the distance. The line is fitted by least squares from 1 to 2.5 and
+/// read at 0. relative: lag over the tolerance.
+double slipWeight(double relative) {
+    constexpr double kEnd = 2.5;
+    constexpr double kWidth = kEnd - 1.0;
+    constexpr double kMiddle = 0.5 * (kEnd + 1.0);
+    const double x = std::min(std::cbrt(relative * relative), kEnd);
+    if (!(x > 1.0))
+        return 0.0;
+    const double off = (x - kMiddle) / kWidth;
+    return (x - 1.0) / kWidth + 6.0 * kMiddle / kWidth * (0.25 - off * off);
+}
+
+/// How far a place is behind where the rigid motion leads; 0 where that hardly moves.
+double lagOf(const Rigid& rigid, const ContactPlace& place, double tolerance_m) {
+    const Eigen::Vector2d led_m = rigid.at(place.rest_m) - place.rest_m;
+    const double way_m = led_m.norm();
+    return way_m > tolerance_m ? (led_m - place.moved_m).dot(led_m) / way_m : 0.0;
+}
+
+/// Whether the places went some way, and one rigid motion explains at least half of its squares. It explains
+/// nothing of what only spreads.
+bool moveAsOne(std::span<const ContactPlace> places, double tolerance_m) {
+    const Rigid whole = rigidOf(places);
+    double left_m2 = 0.0, all_m2 = 0.0;
+    for (const ContactPlace& place : places) {
+        left_m2 += (whole.at(place.rest_m) - place.rest_m - place.moved_m).squaredNorm();
+        all_m2 += place.moved_m.squaredNorm();
+    }
+    const double least_m = kLeastWay * tolerance_m;
+    return all_m2 > static_cast<double>(places.size()) * least_m * least_m &&
+           left_m2 <= kMostUnshared * all_m2;
 }
 
 /// A motion and how many places agree with it.
@@ -109,8 +149,16 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
     if (const Proposal fitted = proposed(rigidOf(alike)); fitted.count >= best.count)
         best = fitted;
     SharedMotion shared{.turn_rad = std::atan2(best.rigid.sine, best.rigid.cosine), .sticking = best.count};
-    for (const ContactPlace& place : places)
+    double slipping = 0.0;
+    const bool slips = moveAsOne(places, tolerance_m);
+    for (const ContactPlace& place : places) {
         shared.sticks.push_back(agrees(best.rigid, place));
+        if (!slips)
+            continue;
+        const double weight = slipWeight(std::max(0.0, lagOf(best.rigid, place, tolerance_m)) / tolerance_m);
+        slipping += places.size() < kLeastExtrapolated ? std::min(1.0, weight) : weight;
+    }
+    shared.slipShare = std::min(1.0, slipping / static_cast<double>(places.size()));
     return shared;
 }
 

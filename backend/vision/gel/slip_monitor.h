@@ -21,13 +21,19 @@ struct SharedMotion {
     double turn_rad = 0.0;
     std::vector<bool> sticks{}; ///< of each place: its residual is within the tolerance
     std::size_t sticking = 0;
+    double slipShare = 0.0; ///< of the contact that stays behind the motion, 0..1
 };
 
 /// The rigid motion of the places that stick: each pair of places proposes one, and that with which most
 /// places agree counts. Where fewer than half of them agree, it is the one that moves furthest of those with
 /// at least 45 % as many, since what slips lags behind. It is fitted to the places that agree. A place
-/// agrees, and sticks, while its residual is within 3 noise_m + 5 % of the largest motion. Nothing for fewer
-/// than five places: what sticks cannot be told from what slips. Thread: any (pure).
+/// agrees, and sticks, while its residual is within 3 noise_m + 1 % of the largest motion.
+/// Slip share: places that lag against the motion by more than the tolerance, and what the tolerance hides of
+/// them where there are at least 25: lags grow from the edge of what sticks with the power 3/2 of the
+/// distance (K. L. Johnson, Contact Mechanics, 7.2), so the area behind by more than l is linear in l^(2/3)
+/// and is read at 0. None while the places have moved by less than 3 tolerances, or one rigid motion explains
+/// less than half of how they moved: what spreads does not slip.
+/// Nothing for fewer than five places: what sticks cannot be told from what slips. Thread: any (pure).
 [[nodiscard]] std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, double noise_m);
 
 /// Slip indices from which a contact begins to slip, and slips.

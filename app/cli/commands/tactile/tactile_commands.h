@@ -11,6 +11,8 @@ namespace teleta::cli {
 [[nodiscard]] Command contactsCommand();
 /// The gain of each taxel, from frames under an even load.
 [[nodiscard]] Command gainsCommand();
+/// Loads in N from signals of a sensor, by a matrix from presses with a known load.
+[[nodiscard]] Command loadsCommand();
 /// Stiffness and material of a touched object from the log of a joint.
 [[nodiscard]] Command stiffnessCommand();
 /// Shape and spline of a series of contact points.

@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <numbers>
+#include <utility>
 
 namespace teleta::vision {
 namespace {
@@ -150,7 +151,8 @@ TEST(GelContacts, slipIndexFollowsTheRingOfSlip) {
         (void)watched.show({ball});
     }
     const double whole_px = 12.0; // the way at which all slips
-    double worst = 0.0, largest = 0.0;
+    double worst = 0.0, largest = 0.0, sum = 0.0;
+    int count = 0;
     std::optional<double> incipient, slip;
     for (int i = 1; i <= 60; ++i) {
         // (c / a)^2 falls by as much as the ball moves.
@@ -161,8 +163,10 @@ TEST(GelContacts, slipIndexFollowsTheRingOfSlip) {
         ASSERT_FALSE(contacts.empty());
         ASSERT_TRUE(contacts.front().slipIndex);
         largest = std::max(largest, *contacts.front().slipIndex);
-        if (way >= 0.1 && way < 0.9)
-            worst = std::max(worst, std::abs(*contacts.front().slipIndex - way));
+        const double off = std::abs(*contacts.front().slipIndex - way);
+        sum += off;
+        ++count;
+        worst = std::max(worst, off);
         if (contacts.front().event == SlipEvent::incipientSlip && !incipient)
             incipient = way;
         if (contacts.front().event == SlipEvent::slip && !slip)
@@ -171,12 +175,45 @@ TEST(GelContacts, slipIndexFollowsTheRingOfSlip) {
     EXPECT_GE(largest, 0.8);
     ASSERT_TRUE(incipient) << worst;
     ASSERT_TRUE(slip) << worst;
-    std::cout << "slip index: worst " << worst << ", incipient slip told at " << *incipient << ", slip at "
-              << *slip << '\n';
-    // The tolerance of 5 % takes the inner part of the ring for stuck.
-    EXPECT_LT(worst, 0.32);
-    EXPECT_NEAR(*incipient, 0.3, 0.25);
-    EXPECT_NEAR(*slip, 0.8, 0.25);
+    std::cout << "slip index: mean " << sum / count << ", worst " << worst << ", incipient slip told at "
+              << *incipient << ", slip at " << *slip << '\n';
+    // With a marker every quarter of the radius a ring of the grid begins to slip at once: 0.1 is a mean.
+    EXPECT_LT(sum / count, 0.1);
+    EXPECT_LT(worst, 0.25);
+    EXPECT_NEAR(*incipient, 0.3, 0.081);
+    EXPECT_NEAR(*slip, 0.8, 0.081);
+}
+
+/// Neither skin that spreads by 0.3 of the depth slips, nor a contact that turns by 9 degrees.
+TEST(GelContacts, takesNoSpreadAndNoTurnForSlip) {
+    SimulatedGel gel{.pitch_px = 20.0, .diameter_px = 7.0};
+    gel.rows = 11;
+    gel.columns = 15;
+    Watched watched(gel);
+    GelContact ball{.centre_m = {160.0, 120.0}};
+    double largest = 0.0;
+    const auto show = [&] {
+        for (const GelContactState& contact : watched.show({ball})) {
+            largest = std::max(largest, contact.slipIndex.value_or(0.0));
+            EXPECT_EQ(contact.event, SlipEvent::none);
+        }
+    };
+    for (int i = 1; i <= 25; ++i) {
+        const double depth_px = 0.8 * i;
+        ball.radius_m = std::sqrt(400.0 * depth_px);
+        ball.spread_m = 0.3 * depth_px;
+        show();
+    }
+    const double pressed = std::exchange(largest, 0.0);
+    EXPECT_LT(pressed, 0.1);
+    ball.spread_m = 0.1 * 20.0;
+    show();
+    for (int i = 1; i <= 30; ++i) {
+        ball.turn_rad = 0.3 * i * kDegree;
+        show();
+    }
+    std::cout << "largest slip index of a press " << pressed << ", of a turn " << largest << '\n';
+    EXPECT_LT(largest, 0.1);
 }
 
 TEST(GelContacts, hasNoSlipWhileTheLoadChangesAndSticks) {
