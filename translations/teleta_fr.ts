@@ -5956,6 +5956,10 @@ Exemples&#xa0;:
         <source>one for each load and signal</source>
         <translation>une pour chaque charge et signal</translation>
     </message>
+    <message>
+        <source>the scatter of this load differs from another row</source>
+        <translation>la dispersion de cette charge diffère de celle d’une autre ligne</translation>
+    </message>
 </context>
 <context>
     <name>LoadsCommand</name>

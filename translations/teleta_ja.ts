@@ -5938,6 +5938,10 @@ Examples:
         <source>one for each load and signal</source>
         <translation>荷重と信号の組ごとに1行</translation>
     </message>
+    <message>
+        <source>the scatter of this load differs from another row</source>
+        <translation>この荷重のばらつきがほかの行と異なります</translation>
+    </message>
 </context>
 <context>
     <name>LoadsCommand</name>

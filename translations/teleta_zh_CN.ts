@@ -5938,6 +5938,10 @@ Examples:
         <source>one for each load and signal</source>
         <translation>每个载荷与信号各一行</translation>
     </message>
+    <message>
+        <source>the scatter of this load differs from another row</source>
+        <translation>此载荷的离散度与另一行不同</translation>
+    </message>
 </context>
 <context>
     <name>LoadsCommand</name>

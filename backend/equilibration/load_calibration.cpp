@@ -34,7 +34,11 @@ Sorted sorted(const Eigen::MatrixXd& load) {
 LoadCalibration::Loads LoadCalibration::at(const Eigen::VectorXd& values) const {
     const bool inside = values.allFinite() && ((values - least).array() >= 0.0).all() &&
                         ((greatest - values).array() >= 0.0).all();
-    return {.loads = gain * (values - rest), .extrapolated = !inside};
+    const Eigen::VectorXd moved = values - rest;
+    const Eigen::VectorXd ofGains = error * moved.cwiseAbs();
+    return {.loads = gain * moved,
+            .errors = (scatter.array().square() + ofGains.array().square()).sqrt(),
+            .extrapolated = !inside};
 }
 
 core::Expected<LoadCalibration> findLoadCalibration(const KnownPresses& presses) {

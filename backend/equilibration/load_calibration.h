@@ -25,11 +25,14 @@ struct LoadCalibration {
     Eigen::MatrixXd error{}; ///< standard errors of M
     Eigen::VectorXd rest{};  ///< signals without load
     Eigen::VectorXd least{}, greatest{}; ///< of each signal in the presses
-    Eigen::VectorXd scatter{};           ///< standard deviation of each load about the fit; of a file 0
+    Eigen::VectorXd scatter{};           ///< standard deviation of each load about the fit
     double condition = 1.0;              ///< of the presses, signals brought to the same size; of a file 1
 
     struct Loads {
         Eigen::VectorXd loads;
+        /// Standard errors of these loads, at most:  sqrt(scatter^2 + (sum |error (signal - rest)|)^2), as if
+        /// the errors of all gains went together. Of noise as in the presses, within their range.
+        Eigen::VectorXd errors;
         bool extrapolated = false; ///< a signal lies outside of what the presses had
     };
     /// values: one number a channel. Thread: any (pure).

@@ -25,11 +25,11 @@ struct LoadFileText {
     Q_DECLARE_TR_FUNCTIONS(LoadCalibrationFile)
 };
 
-constexpr std::size_t kNumbers = 5; ///< of a row
+constexpr std::size_t kNumbers = 6; ///< of a row
 
 struct Row {
     std::size_t load = 0, signal = 0;
-    std::array<double, kNumbers> numbers{}; ///< gain, gain_se, rest, least, greatest
+    std::array<double, kNumbers> numbers{}; ///< gain, gain_se, rest, least, greatest, scatter
 };
 
 QString text(std::string_view word) {
@@ -132,13 +132,17 @@ core::Expected<LoadCalibration> readLoadCalibration(const std::string& path) {
             break;
         TELETA_TRY(const Row row, rowOf(csv, columns, fields, calibration));
         for (const Row& other : rows) {
+            if (other.load == row.load && other.numbers.back() != row.numbers.back())
+                return core::failed(core::ErrorKind::badInput,
+                                    LoadFileText::tr("the scatter of this load differs from another row"), {},
+                                    csv.place(columns[7]));
             if (other.signal != row.signal)
                 continue;
             if (other.load == row.load)
                 return core::failed(core::ErrorKind::badInput,
                                     LoadFileText::tr("this load and signal are listed twice"), {},
                                     csv.place(columns[0]));
-            if (!std::equal(row.numbers.begin() + 2, row.numbers.end(), other.numbers.begin() + 2))
+            if (!std::equal(row.numbers.begin() + 2, row.numbers.end() - 1, other.numbers.begin() + 2))
                 return core::failed(core::ErrorKind::badInput,
                                     LoadFileText::tr("rest and range of this signal differ from another row"),
                                     {}, csv.place(columns[4]));
@@ -161,6 +165,7 @@ core::Expected<LoadCalibration> readLoadCalibration(const std::string& path) {
         calibration.rest[signal] = row.numbers[2];
         calibration.least[signal] = row.numbers[3];
         calibration.greatest[signal] = row.numbers[4];
+        calibration.scatter[load] = row.numbers[5];
     }
     return calibration;
 }

@@ -9,8 +9,8 @@
 
 namespace teleta::equilibration {
 
-inline constexpr std::array<std::string_view, 7> kLoadCalibrationColumns{
-    "load", "signal", "gain", "gain_se", "rest", "least", "greatest"};
+inline constexpr std::array<std::string_view, 8> kLoadCalibrationColumns{
+    "load", "signal", "gain", "gain_se", "rest", "least", "greatest", "scatter"};
 
 /// Reads presses: CSV with one or more of kLoadColumns, and the signals, a row a press; other columns are
 /// ignored. Error: notFound, ioFailed, badInput with line and column: none of these loads, a signal is
@@ -18,9 +18,10 @@ inline constexpr std::array<std::string_view, 7> kLoadCalibrationColumns{
 [[nodiscard]] core::Expected<KnownPresses> readKnownPresses(const std::string& path,
                                                             const std::vector<std::string>& channels);
 
-/// Reads a calibration: CSV with the columns load,signal,gain,gain_se,rest,least,greatest, a row for each
-/// load and signal. Error: notFound, ioFailed, badInput with line and column: an unknown load, a pair that is
-/// missing or twice, rests or ranges of one signal that differ, least above greatest. Thread: any.
+/// Reads a calibration: CSV with the columns load,signal,gain,gain_se,rest,least,greatest,scatter, a
+/// row for each load and signal. Error: notFound, ioFailed, badInput with line and column: an unknown load, a
+/// pair that is missing or twice, rests or ranges of one signal, or scatters of one load, that differ, least
+/// above greatest. Thread: any.
 [[nodiscard]] core::Expected<LoadCalibration> readLoadCalibration(const std::string& path);
 
 /// Writes one row for each load and signal. Rows: a type with the members of core::CsvWriter.
@@ -35,6 +36,7 @@ void writeLoadCalibrationRows(const LoadCalibration& calibration, Rows& rows) {
             rows.number(calibration.rest[s]);
             rows.number(calibration.least[s]);
             rows.number(calibration.greatest[s]);
+            rows.number(calibration.scatter[l]);
             rows.endRow();
         }
     }

@@ -39,14 +39,17 @@ TEST(LoadsCommand, fitsAMatrixAndAppliesIt) {
     ASSERT_EQ(applied.exitCode, 0) << applied.err;
     const auto rows = splitCsv(applied.out);
     ASSERT_EQ(rows.size(), 4U);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"time_s", "force_n", "shear_x_n", "extrapolated"}));
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"time_s", "force_n", "force_n_se", "shear_x_n",
+                                                 "shear_x_n_se", "extrapolated"}));
     EXPECT_EQ(rows[1][0], "0.5");
     EXPECT_NEAR(std::stod(rows[1][1]), 4.0, 1e-12);
-    EXPECT_NEAR(std::stod(rows[1][2]), 2.0, 1e-12);
-    EXPECT_EQ(rows[1][3], "0");
+    EXPECT_NEAR(std::stod(rows[1][2]), 0.0, 1e-12) << "the presses have no noise";
+    EXPECT_NEAR(std::stod(rows[1][3]), 2.0, 1e-12);
+    EXPECT_EQ(rows[1][5], "0");
     EXPECT_NEAR(std::stod(rows[2][1]), 10.0, 1e-12);
-    EXPECT_EQ(rows[2][3], "1");
+    EXPECT_EQ(rows[2][5], "1");
     EXPECT_EQ(rows[3][1], "NA");
+    EXPECT_EQ(rows[3][2], "NA");
 }
 
 TEST(LoadsCommand, refusesWhatItCannotTell) {

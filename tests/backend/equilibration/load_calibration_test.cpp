@@ -79,10 +79,30 @@ TEST(LoadCalibration, ofOneSignalIsASlopeFromItsRest) {
     EXPECT_EQ(found->least[0], 100.0);
     EXPECT_EQ(found->greatest[0], 112.0);
     EXPECT_NEAR(found->at(Eigen::VectorXd::Constant(1, 111.0)).loads[0], 10.0 * slope, 1e-13);
+    // Of one signal the bound is the error of a prediction: s sqrt(1 + x^2 / sum(xx)).
+    EXPECT_NEAR(found->at(Eigen::VectorXd::Constant(1, 111.0)).errors[0],
+                std::sqrt(squares / 4.0 * (1.0 + 100.0 / xx)), 1e-13);
     EXPECT_FALSE(found->at(Eigen::VectorXd::Constant(1, 112.0)).extrapolated);
     EXPECT_TRUE(found->at(Eigen::VectorXd::Constant(1, 112.1)).extrapolated);
     EXPECT_TRUE(found->at(Eigen::VectorXd::Constant(1, 99.9)).extrapolated);
     EXPECT_TRUE(found->at(Eigen::VectorXd::Constant(1, std::nan(""))).extrapolated);
+}
+
+/// The exact error of a prediction is s sqrt(1 + x' inv(X'X) x); the bound is not below it.
+TEST(LoadCalibration, errorsAreNotBelowThoseOfAPrediction) {
+    const KnownPresses presses = peer().presses;
+    const auto found = findLoadCalibration(presses);
+    ASSERT_TRUE(found);
+    const Eigen::Matrix3d inverse = (presses.signal.transpose() * presses.signal).inverse();
+    for (const Eigen::Vector3d& x : {Eigen::Vector3d(5.0, -3.0, 2.0), Eigen::Vector3d(-12.0, 10.0, 4.0),
+                                     Eigen::Vector3d(0.0, 0.0, -9.0), Eigen::Vector3d(0.0, 0.0, 0.0)}) {
+        const Eigen::VectorXd errors = found->at(x).errors;
+        for (Eigen::Index load = 0; load < 3; ++load) {
+            const double exact = found->scatter[load] * std::sqrt(1.0 + x.dot(inverse * x));
+            EXPECT_GE(errors[load], exact - 1e-12);
+            EXPECT_LE(errors[load], 2.0 * exact);
+        }
+    }
 }
 
 TEST(LoadCalibration, refusesWhatThePressesDoNotDetermine) {
@@ -124,11 +144,12 @@ TEST(LoadCalibrationFile, isReadAsItWasWritten) {
     EXPECT_EQ(read->error, found->error);
     EXPECT_EQ(read->least, found->least);
     EXPECT_EQ(read->greatest, found->greatest);
+    EXPECT_EQ(read->scatter, found->scatter);
 }
 
 TEST(LoadCalibrationFile, tellsWhereItIsWrong) {
     const test::TemporaryFolder folder;
-    const std::string header = "load,signal,gain,gain_se,rest,least,greatest\n";
+    const std::string header = "load,signal,gain,gain_se,rest,least,greatest,scatter\n";
     const auto place = [&](const std::string& rows) {
         const auto read = equilibration::readLoadCalibration(folder.write("bad.csv", header + rows));
         EXPECT_FALSE(read) << rows;
@@ -136,11 +157,12 @@ TEST(LoadCalibrationFile, tellsWhereItIsWrong) {
             return std::string();
         return std::to_string(read.error().where.line) + ':' + std::to_string(read.error().where.column);
     };
-    EXPECT_EQ(place("weight_n,a,1,0,0,0,1\n"), "2:1");
-    EXPECT_EQ(place("force_n,a,much,0,0,0,1\n"), "2:11");
-    EXPECT_EQ(place("force_n,a,1,0,0,2,1\n"), "2:17");
-    EXPECT_EQ(place("force_n,a,1,0,0,0,1\nforce_n,a,1,0,0,0,1\n"), "3:1");
-    EXPECT_EQ(place("force_n,a,1,0,0,0,1\nshear_x_n,a,1,0,5,0,1\n"), "3:17");
-    EXPECT_EQ(place("force_n,a,1,0,0,0,1\nshear_x_n,b,1,0,0,0,1\n"), "4:1");
+    EXPECT_EQ(place("weight_n,a,1,0,0,0,1,0\n"), "2:1");
+    EXPECT_EQ(place("force_n,a,much,0,0,0,1,0\n"), "2:11");
+    EXPECT_EQ(place("force_n,a,1,0,0,2,1,0\n"), "2:17");
+    EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nforce_n,a,1,0,0,0,1,0\n"), "3:1");
+    EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nshear_x_n,a,1,0,5,0,1,0\n"), "3:17");
+    EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nshear_x_n,b,1,0,0,0,1,0\n"), "4:1");
+    EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nforce_n,b,1,0,0,0,1,2\n"), "3:21");
     EXPECT_EQ(place(""), "2:1");
 }

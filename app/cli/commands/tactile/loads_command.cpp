@@ -129,7 +129,10 @@ private:
             names.push_back(name);
             kept.push_back(static_cast<std::size_t>(at - csv.header().begin()));
         }
-        names.insert(names.end(), calibration.loads.begin(), calibration.loads.end());
+        std::vector<std::string> columnNames;
+        for (const std::string& load : calibration.loads)
+            columnNames.insert(columnNames.end(), {load, load + "_se"});
+        names.insert(names.end(), columnNames.begin(), columnNames.end());
         names.emplace_back("extrapolated");
         TELETA_TRY(RowOutput rows, RowOutput::open(names, m_output));
         std::vector<std::string_view> fields;
@@ -148,8 +151,10 @@ private:
             for (const std::size_t column : kept)
                 rows.number(core::numberOrNA(fields[column]));
             const LoadCalibration::Loads at = calibration.at(values);
-            for (const double load : at.loads)
-                rows.number(load);
+            for (Eigen::Index i = 0; i < at.loads.size(); ++i) {
+                rows.number(at.loads[i]);
+                rows.number(at.errors[i]);
+            }
             rows.integer(at.extrapolated ? 1 : 0);
             rows.endRow();
             rows.flushIfDue();
