@@ -11592,6 +11592,22 @@ Lancez teleta-site --help pour en savoir plus.
         <source>active</source>
         <translation>actifs</translation>
     </message>
+    <message>
+        <source>moment</source>
+        <translation>moment</translation>
+    </message>
+    <message>
+        <source>shear / load</source>
+        <translation>cisaillement / charge</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Cisaillement</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
 </context>
 <context>
     <name>StudyChecks</name>

@@ -11565,6 +11565,22 @@ Run teleta-site --help for more.
         <source>active</source>
         <translation>有効</translation>
     </message>
+    <message>
+        <source>moment</source>
+        <translation>モーメント</translation>
+    </message>
+    <message>
+        <source>shear / load</source>
+        <translation>せん断 / 荷重</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>せん断</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
 </context>
 <context>
     <name>StudyChecks</name>

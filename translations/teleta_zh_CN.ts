@@ -11565,6 +11565,22 @@ Run teleta-site --help for more.
         <source>active</source>
         <translation>活动</translation>
     </message>
+    <message>
+        <source>moment</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>shear / load</source>
+        <translation>剪切 / 载荷</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
 </context>
 <context>
     <name>StudyChecks</name>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/charts/feature_history.h"
 
-#include "backend/core/data/column_unit.h"
+#include "backend/recording/stream_columns.h"
 #include "widgets/base/numbers/quantity_text.h"
 
 #include <array>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace teleta::charts {
 
@@ -38,24 +40,32 @@ void FeatureHistory::append(const pipeline::FeatureSample& sample) {
                                                orNaN(f.lambda1_m2),
                                                orNaN(f.lambda2_m2),
                                                hasRatio ? *f.lambda1_m2 / *f.lambda2_m2 : orNaN({}),
-                                               static_cast<double>(f.active)};
+                                               static_cast<double>(f.active),
+                                               f.shear ? f.shear->x_N : orNaN({}),
+                                               f.shear ? f.shear->y_N : orNaN({}),
+                                               f.shear ? f.shear->momentZ_Nm : orNaN({}),
+                                               f.shear ? f.shear->friction : orNaN({})};
     SampleHistory::append({sample.time_ns, sample.sourceTime_s, sample.discontinuity}, values);
     m_types[slot(size() - 1)] = f.type;
 }
 
 QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last,
-                    const QString& loadUnit) {
-    constexpr std::array kColumns{Channel::force,   Channel::copX,    Channel::copY,  Channel::cocX,
-                                  Channel::cocY,    Channel::dzmpX,   Channel::dzmpY, Channel::alphaZ,
-                                  Channel::lambda1, Channel::lambda2, Channel::active};
-    auto csv =
-        QStringLiteral("time_s,contact_type,force_%1,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
-                       "alpha_z_rad,lambda1_m2,lambda2_m2,active\n")
-            .arg(QString::fromStdString(core::columnUnit(loadUnit.toStdString())));
+                    const QString& loadUnit, bool vectors) {
+    // In the order of recording::featureColumns(), after the type.
+    constexpr std::array kColumns{Channel::force,   Channel::copX,    Channel::copY,    Channel::cocX,
+                                  Channel::cocY,    Channel::dzmpX,   Channel::dzmpY,   Channel::alphaZ,
+                                  Channel::lambda1, Channel::lambda2, Channel::active,  Channel::shearX,
+                                  Channel::shearY,  Channel::momentZ, Channel::friction};
+    QString csv = QStringLiteral("time_s");
+    const std::vector<recording::Column> columns = recording::featureColumns(loadUnit.toStdString(), vectors);
+    for (const recording::Column& column : columns)
+        csv += QLatin1Char(',') + QString::fromStdString(column.name);
+    csv += QLatin1Char('\n');
+    const auto shown = std::span(kColumns).first(columns.size() - 1);
     for (std::size_t i = first; i < last; ++i) {
         csv += base::csvNumber(history.sourceTime_s(i)) + QLatin1Char(',') +
                QLatin1String(contact::toString(history.type(i)));
-        for (const Channel channel : kColumns)
+        for (const Channel channel : shown)
             csv += QLatin1Char(',') + base::csvNumber(history.value(channel, i));
         csv += QLatin1Char('\n');
     }

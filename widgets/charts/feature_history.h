@@ -26,8 +26,13 @@ enum class Channel {
     lambda2,
     ratio, ///< lambda1 / lambda2; undefined when lambda2 is 0
     active,
+    // Of arrays of vectors.
+    shearX,
+    shearY,
+    momentZ,
+    friction, ///< shear over normal load
 };
-inline constexpr std::size_t kChannels = 13;
+inline constexpr std::size_t kChannels = 17;
 
 /// The newest feature samples of a stream; undefined values are NaN. append() does not allocate. Thread: one.
 class FeatureHistory : public SampleHistory {
@@ -47,8 +52,8 @@ private:
 };
 
 /// Samples first..last (exclusive) as CSV with the columns of `teleta features`, the force in loadUnit; NA
-/// where undefined.
+/// where undefined. vectors: of an array of vectors, with its shear.
 [[nodiscard]] QString featuresCsv(const FeatureHistory& history, std::size_t first, std::size_t last,
-                                  const QString& loadUnit);
+                                  const QString& loadUnit, bool vectors);
 
 } // namespace teleta::charts

@@ -46,6 +46,7 @@ void StripChartView::makeActions() {
         auto* action = m_stripsMenu->addAction(QString());
         action->setCheckable(true);
         action->setChecked(definitionOf(strip).shownAtFirst);
+        action->setVisible(!definitionOf(strip).ofVectors);
         connect(action, &QAction::toggled, this, &StripChartView::takeStrips);
         m_stripActions[static_cast<std::size_t>(strip)] = action;
     }
@@ -77,8 +78,9 @@ QAction* StripChartView::stripAction(Strip strip) const {
 
 std::vector<Strip> StripChartView::shownStrips() const {
     std::vector<Strip> strips;
-    std::ranges::copy_if(kAllStrips, std::back_inserter(strips),
-                         [this](Strip s) { return stripAction(s)->isChecked(); });
+    std::ranges::copy_if(kAllStrips, std::back_inserter(strips), [this](Strip s) {
+        return stripAction(s)->isVisible() && stripAction(s)->isChecked();
+    });
     return strips;
 }
 
@@ -132,6 +134,15 @@ void StripChartView::setLoadUnit(const QString& unit) {
     invalidate();
 }
 
+void StripChartView::setVectors(bool vectors) {
+    if (std::exchange(m_vectors, vectors) == vectors)
+        return;
+    for (const Strip strip : kAllStrips)
+        if (definitionOf(strip).ofVectors)
+            stripAction(strip)->setVisible(vectors);
+    takeStrips();
+}
+
 bool StripChartView::addMark(double sourceTime_s, const QString& label) {
     const auto sample = m_history.nearestSource(sourceTime_s);
     if (!sample || std::abs(m_history.sourceTime_s(*sample) - sourceTime_s) > m_history.longestStep_s())
@@ -161,7 +172,7 @@ void StripChartView::requestMark() {
 }
 
 QString StripChartView::csv(std::size_t first, std::size_t last) const {
-    return featuresCsv(m_history, first, last, m_strips->loadUnit());
+    return featuresCsv(m_history, first, last, m_strips->loadUnit(), m_vectors);
 }
 
 void StripChartView::addOwnActions(QMenu& menu, const QPoint& position) {

@@ -37,6 +37,8 @@ public:
     void setHistory(FeatureHistory history);
 
     void setLoadUnit(const QString& unit);
+    /// The array tells three components: it has shear.
+    void setVectors(bool vectors);
 
     /// Checkable; for menus and for remembering.
     [[nodiscard]] QAction* stripAction(Strip strip) const;
@@ -82,6 +84,7 @@ private:
     StripPlot* m_strips;
     QMenu* m_stripsMenu = new QMenu(this);
     std::array<QAction*, kStrips> m_stripActions{};
+    bool m_vectors = false;
     QAction* m_mark;
     QToolButton* m_stripsButton;
 };

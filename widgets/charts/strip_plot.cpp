@@ -66,7 +66,8 @@ QString StripPlot::laneTitle(int lane) const {
 
 QString StripPlot::laneUnit(int lane) const {
     const Strip strip = stripOfLane(lane);
-    return strip == Strip::force ? m_loadUnit : QString::fromUtf8(definitionOf(strip).unit);
+    return strip == Strip::force || strip == Strip::shear ? m_loadUnit
+                                                          : QString::fromUtf8(definitionOf(strip).unit);
 }
 
 QString StripPlot::curveName(int lane, std::size_t curve) const {

@@ -28,6 +28,10 @@ constexpr std::array<StripText, kChannels> kNames{{
     {"\u221a\u03bb\u2082"},
     {"\u03bb\u2081/\u03bb\u2082"},
     {QT_TRANSLATE_NOOP("StripTexts", "active")},
+    {"x"},
+    {"y"},
+    {QT_TRANSLATE_NOOP("StripTexts", "moment")},
+    {QT_TRANSLATE_NOOP("StripTexts", "shear / load")},
 }};
 
 QString translated(const StripText& text) {
@@ -98,6 +102,20 @@ std::array<StripDefinition, kStrips> makeDefinitions() {
          .minimumSpan = 5.0,
          .fromZero = true,
          .shownAtFirst = false},
+        {.strip = Strip::shear,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Shear")},
+         .curves = {{.column = column(Channel::shearX), .display = {}, .colour = 1},
+                    {.column = column(Channel::shearY), .display = {}, .colour = 2}},
+         .minimumSpan = 0.1,
+         .fromZero = true,
+         .ofVectors = true},
+        {.strip = Strip::friction,
+         .title = {QT_TRANSLATE_NOOP("StripTexts", "Friction")},
+         .curves = {{.column = column(Channel::friction), .display = {}, .colour = 1}},
+         .minimumSpan = 0.5,
+         .fromZero = true,
+         .shownAtFirst = false,
+         .ofVectors = true},
     }};
 }
 

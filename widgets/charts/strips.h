@@ -13,11 +13,23 @@
 namespace teleta::charts {
 
 /// One chart in the stack.
-enum class Strip { force, positionX, positionY, dzmp, orientation, spread, ratio, active };
-inline constexpr std::size_t kStrips = 8;
-inline constexpr std::array<Strip, kStrips> kAllStrips{Strip::force, Strip::positionX,   Strip::positionY,
-                                                       Strip::dzmp,  Strip::orientation, Strip::spread,
-                                                       Strip::ratio, Strip::active};
+enum class Strip {
+    force,
+    positionX,
+    positionY,
+    dzmp,
+    orientation,
+    spread,
+    ratio,
+    active,
+    shear, ///< of arrays of vectors, as the next one
+    friction
+};
+inline constexpr std::size_t kStrips = 10;
+/// From top to bottom.
+inline constexpr std::array<Strip, kStrips> kAllStrips{
+    Strip::force, Strip::shear,       Strip::friction, Strip::positionX, Strip::positionY,
+    Strip::dzmp,  Strip::orientation, Strip::spread,   Strip::ratio,     Strip::active};
 
 /// A text to translate, and what its translators need to know.
 struct StripText {
@@ -36,6 +48,7 @@ struct StripDefinition {
     double fixedLow = 0.0, fixedHigh = 0.0; ///< the axis when fixedLow < fixedHigh
     double fixedStep = 0.0;                 ///< of its ticks
     bool shownAtFirst = true;
+    bool ofVectors = false; ///< only arrays of vectors have it
 };
 
 [[nodiscard]] const StripDefinition& definitionOf(Strip strip);

@@ -309,6 +309,7 @@ void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance prov
     m_charts->setProvenance(provenance);
     const pipeline::ChannelSettings settings = array->settings();
     m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
+    m_charts->setVectors(array->description().layout.isVector());
     m_settings->setSettings(settings);
     m_settingsRevision = array->settingsRevision();
     if (array->generation() > 0) {

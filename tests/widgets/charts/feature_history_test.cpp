@@ -192,15 +192,25 @@ private slots:
         touched.features.active = 1;
         history.append(touched);
         QCOMPARE(
-            featuresCsv(history, 0, 2, QStringLiteral("N")),
+            featuresCsv(history, 0, 2, QStringLiteral("N"), false),
             QStringLiteral("time_s,contact_type,force_n,cop_x_m,cop_y_m,coc_x_m,coc_y_m,dzmp_x_m,dzmp_y_m,"
                            "alpha_z_rad,lambda1_m2,lambda2_m2,active\n"
                            "0.5,none,0,NA,NA,NA,NA,NA,NA,NA,NA,NA,0\n"
                            "0.505,point,1.5,0.0017,-0.001,NA,NA,NA,NA,NA,NA,NA,1\n"));
         // What is no force is not called one in N.
-        QVERIFY(featuresCsv(history, 0, 2, QStringLiteral("\u00b5T"))
+        QVERIFY(featuresCsv(history, 0, 2, QStringLiteral("\u00b5T"), false)
                     .startsWith(QStringLiteral("time_s,contact_type,force_ut,cop_x_m,")));
-        QVERIFY(featuresCsv(history, 0, 2, {}).contains(QStringLiteral(",force_counts,")));
+        QVERIFY(featuresCsv(history, 0, 2, {}, false).contains(QStringLiteral(",force_counts,")));
+        touched.time_ns += 5'000'000;
+        touched.sourceTime_s = 0.51;
+        touched.features.shear = contact::ShearLoad{0.3, -0.4, 0.002, 0.25};
+        history.append(touched);
+        const QStringList rows =
+            featuresCsv(history, 1, 3, QStringLiteral("N"), true).split(QLatin1Char('\n'));
+        QVERIFY2(rows[0].endsWith(QLatin1String(",active,shear_x_n,shear_y_n,moment_z_nm,friction_ratio")),
+                 qPrintable(rows[0]));
+        QVERIFY2(rows[1].endsWith(QLatin1String(",1,NA,NA,NA,NA")), qPrintable(rows[1]));
+        QVERIFY2(rows[2].endsWith(QLatin1String(",1,0.3,-0.4,0.002,0.25")), qPrintable(rows[2]));
     }
 };
 

@@ -157,6 +157,23 @@ private slots:
         QVERIFY(std::abs(chart.view.plot()->laneRange(Strip::orientation).high - 90.0) < 1e-9);
     }
 
+    void onlyAnArrayOfVectorsHasShear() {
+        Chart chart({Strip::force, Strip::shear});
+        QCOMPARE(chart.view.shownStrips(), std::vector{Strip::force});
+        QVERIFY(!chart.view.stripAction(Strip::shear)->isVisible());
+        chart.view.setVectors(true);
+        QCOMPARE(chart.view.shownStrips(), (std::vector{Strip::force, Strip::shear}));
+        pipeline::FeatureSample sample = test::rollingSample(0.5, true);
+        sample.features.shear = contact::ShearLoad{0.25, -0.5, 0.0, 0.1};
+        chart.view.append(sample);
+        (void)chart.draw();
+        const auto lines = chart.view.plot()->lanePanel(Strip::shear)->lines();
+        QVERIFY2(lines[0].value.contains("0.25") && lines[0].value.endsWith("N"), qPrintable(lines[0].value));
+        QVERIFY2(lines[1].value.contains("0.5"), qPrintable(lines[1].value));
+        chart.view.setVectors(false);
+        QCOMPARE(chart.view.shownStrips(), std::vector{Strip::force});
+    }
+
     void millimetresAndDegreesAreShown() {
         Chart chart({Strip::positionX, Strip::orientation, Strip::spread});
         pipeline::FeatureSample sample = test::rollingSample(0.0, true);
