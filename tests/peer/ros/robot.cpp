@@ -261,6 +261,8 @@ std::string Robot::command(const std::string& line) {
         m_commanded = kind;
         return "done";
     }
+    if (verb == "counts")
+        return "done " + m_counts.dump();
     std::array<double, 3> force_N{};
     if (verb == "push" && words >> force_N[0] >> force_N[1] >> force_N[2]) {
         m_arm.push(force_N);
@@ -270,7 +272,7 @@ std::string Robot::command(const std::string& line) {
         m_arm.press(force_N[0]);
         return "done";
     }
-    return "error expected: fault KIND | push FX FY FZ | press F (with --pad)";
+    return "error expected: fault KIND | push FX FY FZ | press F (with --pad) | counts";
 }
 
 void Robot::finish() {

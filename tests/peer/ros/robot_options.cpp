@@ -30,6 +30,7 @@ Lines on standard input with --commands, each answered by "done" or "error WHY":
   fault KIND | fault none      from now on
   push FX FY FZ                force on the tip in N, axes of the world
   press F                      force of the ball on the pad in N
+  counts                       the answer is "done" and what the log's "end" has, so far
   end                          as the end of the input: the program ends
 
 The log has one JSON object a line, with the steady clock in steady_ns: "ready", "state" (100 a second: position,
