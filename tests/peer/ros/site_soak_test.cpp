@@ -110,11 +110,11 @@ TEST_F(SiteSoak, anHourAtFullRateIsWithoutFaultAndMemoryIsFlat) {
         ASSERT_TRUE(told["reached"].get<bool>()) << elapsed_s() << " s";
         ASSERT_TRUE(told["controls"].get<bool>()) << elapsed_s() << " s";
         if (elapsed_s() >= row_s) {
-            std::printf("%5d s: site %.1f MiB, console %.1f MiB, joint samples %llu, lost %llu, refused %llu\n",
-                        elapsed_s(), siteMemory_MiB.back(), consoleMemory_MiB.back(),
-                        told["joints"]["samples"].get<unsigned long long>(),
-                        told["joints"]["lost"].get<unsigned long long>(),
-                        told["refused"].get<unsigned long long>());
+            std::printf(
+                "%5d s: site %.1f MiB, console %.1f MiB, joint samples %llu, lost %llu, refused %llu\n",
+                elapsed_s(), siteMemory_MiB.back(), consoleMemory_MiB.back(),
+                told["joints"]["samples"].get<unsigned long long>(),
+                told["joints"]["lost"].get<unsigned long long>(), told["refused"].get<unsigned long long>());
             std::fflush(stdout);
             row_s += kRow_s;
         }
@@ -127,8 +127,8 @@ TEST_F(SiteSoak, anHourAtFullRateIsWithoutFaultAndMemoryIsFlat) {
     std::printf("%d s: the robot wrote %lld joint states; %lld came, %lld are told as lost, %lld are missing "
                 "besides; moved in %d of %zu presses\n",
                 elapsed_s(), static_cast<long long>(writtenAfter - writtenBefore),
-                static_cast<long long>(samples), static_cast<long long>(lost),
-                static_cast<long long>(untold), moved, siteMemory_MiB.size());
+                static_cast<long long>(samples), static_cast<long long>(lost), static_cast<long long>(untold),
+                moved, siteMemory_MiB.size());
     for (const auto& [mode, looks] : looksInMode)
         std::printf("mode %d at %d looks\n", mode, looks);
 
@@ -139,7 +139,8 @@ TEST_F(SiteSoak, anHourAtFullRateIsWithoutFaultAndMemoryIsFlat) {
     if (duration_s < 3 * kWarmUp_s)
         GTEST_SKIP() << "memory is judged in a run of at least " << 3 * kWarmUp_s << " s only";
     for (const auto* memory : {&siteMemory_MiB, &consoleMemory_MiB}) {
-        const auto warm = memory->begin() + static_cast<std::ptrdiff_t>(memory->size()) * kWarmUp_s / duration_s;
+        const auto warm =
+            memory->begin() + static_cast<std::ptrdiff_t>(memory->size()) * kWarmUp_s / duration_s;
         const auto part = (memory->end() - warm) / 3;
         const double before_MiB = median({warm, warm + part});
         const double after_MiB = median({memory->end() - part, memory->end()});
