@@ -352,8 +352,8 @@ TEST_F(ClosedLoop, objectsOfUnknownMaterialAreFoundOverALink) {
     // A touch in which a busy machine held the arm may tell nothing.
     EXPECT_GE(2 * recognised, objects);
     EXPECT_GE(covered, leastCovered(estimates));
-    // An object has a stiffness when one of its touches has.
-    EXPECT_GE(2 * estimates, touches);
+    // Others were told as not reliable, or refused.
+    EXPECT_GE(3 * estimates, touches);
     EXPECT_GT(m_rests, 0U);
     EXPECT_LT(m_movedAtRest_rad, 1e-3);
 }

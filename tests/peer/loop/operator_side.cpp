@@ -2,7 +2,6 @@
 #include "operator_side.h"
 
 #include "backend/core/steady_time.h"
-#include "backend/core/threads/urgent_thread.h"
 #include "backend/pattern/model/built_in_patterns.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/playback/pattern_program.h"
@@ -119,8 +118,6 @@ bool OperatorSide::eventually(const std::function<bool()>& holds, double longest
 }
 
 bool OperatorSide::takeControl() {
-    // Both ends and the robot share this computer: without it their own lateness would be felt.
-    (void)core::makeThreadUrgent();
     const std::uint64_t id = m_client->request(site::RequestKind::request);
     return eventually([&] {
                const auto request = m_client->view().request;
