@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arm_physics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -17,9 +18,20 @@ namespace {
 using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
+constexpr double kDamping_NmsPerRad = 1;
+constexpr double kArmature_kgm2 = 0.1;
+constexpr double kServo_NmsPerRad = 120;
+constexpr double kStrongest_Nm = 90;
+
 constexpr double kSphere_m = 0.0017;
 constexpr double kBall_m = 0.012;
 constexpr double kGap_m = 0.002;
+constexpr double kPlate_m = 0.002; ///< half of its thickness
+constexpr int kTaxels = ArmPhysics::kRows * ArmPhysics::kColumns;
+
+std::string objectName(std::size_t object) {
+    return "object_" + std::to_string(object);
+}
 
 /// A folder of its own for MuJoCo's files, removed at the end.
 struct Folder {
@@ -142,11 +154,18 @@ void soften(XMLElement* in) {
          body = body->NextSiblingElement("body")) {
         for (XMLElement* joint = body->FirstChildElement("joint"); joint != nullptr;
              joint = joint->NextSiblingElement("joint")) {
-            joint->SetAttribute("damping", 1);
-            joint->SetAttribute("armature", 0.1);
+            joint->SetAttribute("damping", kDamping_NmsPerRad);
+            joint->SetAttribute("armature", kArmature_kgm2);
         }
         soften(body);
     }
+}
+
+std::string numbers(double x, double y) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << x << ' ' << y;
+    return text.str();
 }
 
 std::string numbers(double x, double y, double z) {
@@ -156,44 +175,63 @@ std::string numbers(double x, double y, double z) {
     return text.str();
 }
 
-/// 84 spheres, each in a box that feels what touches it. One box as pad would give a few points of contact
-/// only.
-void addPad(XMLElement* mujoco, XMLElement* tip, XMLElement* sensor) {
-    XMLElement* pairs = mujoco->InsertNewChildElement("contact");
-    for (int row = 0; row < ArmPhysics::kRows; ++row)
-        for (int column = 0; column < ArmPhysics::kColumns; ++column) {
-            const std::string name = "taxel_" + std::to_string(row * ArmPhysics::kColumns + column);
-            const std::string place =
-                numbers((row - (ArmPhysics::kRows - 1) / 2.0) * ArmPhysics::kPitch_m,
-                        (column - (ArmPhysics::kColumns - 1) / 2.0) * ArmPhysics::kPitch_m, 0);
-            XMLElement* sphere = tip->InsertNewChildElement("geom");
-            sphere->SetAttribute("name", name.c_str());
-            sphere->SetAttribute("type", "sphere");
-            sphere->SetAttribute("size", kSphere_m);
-            sphere->SetAttribute("pos", place.c_str());
-            sphere->SetAttribute("mass", 0);
-            sphere->SetAttribute("contype", 0);
-            sphere->SetAttribute("conaffinity", 0);
-            XMLElement* box = tip->InsertNewChildElement("site");
-            box->SetAttribute("name", name.c_str());
-            box->SetAttribute("type", "box");
-            box->SetAttribute("size",
-                              numbers(ArmPhysics::kPitch_m / 2, ArmPhysics::kPitch_m / 2, 0.003).c_str());
-            box->SetAttribute("pos", place.c_str());
-            XMLElement* touch = sensor->InsertNewChildElement("touch");
-            touch->SetAttribute("name", name.c_str());
-            touch->SetAttribute("site", name.c_str());
-            XMLElement* pair = pairs->InsertNewChildElement("pair");
-            pair->SetAttribute("geom1", name.c_str());
-            pair->SetAttribute("geom2", "pad_ball");
-            pair->SetAttribute("condim", 1);
-            pair->SetAttribute("solref", "0.01 1");
-        }
+XMLElement* addSphere(XMLElement* body, const std::string& name, double radius_m, double mass_kg) {
+    XMLElement* sphere = body->InsertNewChildElement("geom");
+    sphere->SetAttribute("name", name.c_str());
+    sphere->SetAttribute("type", "sphere");
+    sphere->SetAttribute("size", radius_m);
+    sphere->SetAttribute("mass", mass_kg);
+    sphere->SetAttribute("contype", 0);
+    sphere->SetAttribute("conaffinity", 0);
+    return sphere;
+}
+
+/// Without friction.
+XMLElement* addPair(XMLElement* pairs, const std::string& one, const std::string& other) {
+    XMLElement* pair = pairs->InsertNewChildElement("pair");
+    pair->SetAttribute("geom1", one.c_str());
+    pair->SetAttribute("geom2", other.c_str());
+    pair->SetAttribute("condim", 1);
+    return pair;
+}
+
+std::string taxelName(int taxel) {
+    return "taxel_" + std::to_string(taxel);
+}
+
+std::string taxelPlace(int taxel) {
+    const int row = taxel / ArmPhysics::kColumns;
+    const int column = taxel % ArmPhysics::kColumns;
+    return numbers((row - (ArmPhysics::kRows - 1) / 2.0) * ArmPhysics::kPitch_m,
+                   (column - (ArmPhysics::kColumns - 1) / 2.0) * ArmPhysics::kPitch_m, 0);
+}
+
+/// Boxes that feel what touches the tip in them.
+void addTaxels(XMLElement* tip, XMLElement* sensor) {
+    for (int taxel = 0; taxel < kTaxels; ++taxel) {
+        XMLElement* box = tip->InsertNewChildElement("site");
+        box->SetAttribute("name", taxelName(taxel).c_str());
+        box->SetAttribute("type", "box");
+        box->SetAttribute("size", numbers(ArmPhysics::kPitch_m / 2, ArmPhysics::kPitch_m / 2, 0.003).c_str());
+        box->SetAttribute("pos", taxelPlace(taxel).c_str());
+        XMLElement* touch = sensor->InsertNewChildElement("touch");
+        touch->SetAttribute("name", taxelName(taxel).c_str());
+        touch->SetAttribute("site", taxelName(taxel).c_str());
+    }
     if (tip->FirstChildElement("inertial") == nullptr) {
         XMLElement* inertial = tip->InsertNewChildElement("inertial");
         inertial->SetAttribute("pos", "0 0 0");
         inertial->SetAttribute("mass", 0.01);
         inertial->SetAttribute("diaginertia", "1e-6 1e-6 1e-6");
+    }
+}
+
+/// A sphere in each taxel, and the ball that presses on them. One box as pad would give a few points of
+/// contact only.
+void addSpheres(XMLElement* pairs, XMLElement* tip) {
+    for (int taxel = 0; taxel < kTaxels; ++taxel) {
+        addSphere(tip, taxelName(taxel), kSphere_m, 0)->SetAttribute("pos", taxelPlace(taxel).c_str());
+        addPair(pairs, taxelName(taxel), "pad_ball")->SetAttribute("solref", "0.01 1");
     }
     XMLElement* ball = tip->InsertNewChildElement("body");
     ball->SetAttribute("name", "pad_ball");
@@ -203,17 +241,48 @@ void addPad(XMLElement* mujoco, XMLElement* tip, XMLElement* sensor) {
     slide->SetAttribute("type", "slide");
     slide->SetAttribute("axis", "0 0 1");
     slide->SetAttribute("damping", 20);
-    XMLElement* geom = ball->InsertNewChildElement("geom");
-    geom->SetAttribute("name", "pad_ball");
-    geom->SetAttribute("type", "sphere");
-    geom->SetAttribute("size", kBall_m);
-    geom->SetAttribute("mass", 0.02);
-    geom->SetAttribute("contype", 0);
-    geom->SetAttribute("conaffinity", 0);
+    addSphere(ball, "pad_ball", kBall_m, 0.02);
+}
+
+/// One hard plate, and balls on springs in the world. A contact yields by (1 - d) / d of its force over the
+/// moved mass and the square of solref: with these numbers a thousandth of what the hardest object does.
+void addObjects(XMLElement* pairs, XMLElement* tip, XMLElement* world,
+                const std::vector<SoftObject>& objects) {
+    constexpr double kMass_kg = 0.02;
+    constexpr double kDampingRatio = 0.1;
+    XMLElement* plate = tip->InsertNewChildElement("geom");
+    plate->SetAttribute("name", "plate");
+    plate->SetAttribute("type", "box");
+    plate->SetAttribute("size", numbers(ArmPhysics::kRows * ArmPhysics::kPitch_m / 2,
+                                        ArmPhysics::kColumns * ArmPhysics::kPitch_m / 2, kPlate_m)
+                                    .c_str());
+    plate->SetAttribute("pos", numbers(0, 0, -kPlate_m).c_str());
+    plate->SetAttribute("mass", 0);
+    plate->SetAttribute("contype", 0);
+    plate->SetAttribute("conaffinity", 0);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const SoftObject& object = objects[i];
+        const std::string name = objectName(i);
+        XMLElement* body = world->InsertNewChildElement("body");
+        body->SetAttribute("name", name.c_str());
+        body->SetAttribute("pos",
+                           numbers(object.position_m[0], object.position_m[1], object.position_m[2]).c_str());
+        XMLElement* slide = body->InsertNewChildElement("joint");
+        slide->SetAttribute("name", name.c_str());
+        slide->SetAttribute("type", "slide");
+        slide->SetAttribute("axis", "0 0 1");
+        slide->SetAttribute("stiffness", object.stiffness_NPerM);
+        slide->SetAttribute("damping", 2 * kDampingRatio * std::sqrt(object.stiffness_NPerM * kMass_kg));
+        addSphere(body, name, ArmPhysics::kObjectRadius_m, kMass_kg);
+        XMLElement* pair = addPair(pairs, "plate", name);
+        pair->SetAttribute("solref", "0.004 1");
+        pair->SetAttribute("solimp", "0.9999 0.9999 0.001");
+    }
 }
 
 /// Puts servos, sensors and the solver's settings into the model that MuJoCo made of the URDF.
-void complete(XMLDocument& model, const Description& description, const std::string& tip, bool withPad) {
+void complete(XMLDocument& model, const Description& description, const std::string& tip, bool withPad,
+              const std::vector<SoftObject>& objects) {
     XMLElement* mujoco = model.FirstChildElement("mujoco");
     XMLElement* world = mujoco->FirstChildElement("worldbody");
     soften(world);
@@ -227,9 +296,9 @@ void complete(XMLDocument& model, const Description& description, const std::str
         XMLElement* servo = actuator->InsertNewChildElement("velocity");
         servo->SetAttribute("name", joint.c_str());
         servo->SetAttribute("joint", joint.c_str());
-        servo->SetAttribute("kv", 120);
+        servo->SetAttribute("kv", kServo_NmsPerRad);
         servo->SetAttribute("forcelimited", true);
-        servo->SetAttribute("forcerange", "-90 90");
+        servo->SetAttribute("forcerange", numbers(-kStrongest_Nm, kStrongest_Nm).c_str());
     }
     XMLElement* body = bodyNamed(world, tip);
     if (body == nullptr)
@@ -242,8 +311,14 @@ void complete(XMLDocument& model, const Description& description, const std::str
         one->SetAttribute("name", kind);
         one->SetAttribute("site", "tip");
     }
-    if (withPad)
-        addPad(mujoco, body, sensor);
+    if (!withPad)
+        return;
+    addTaxels(body, sensor);
+    XMLElement* pairs = mujoco->InsertNewChildElement("contact");
+    if (objects.empty())
+        addSpheres(pairs, body);
+    else
+        addObjects(pairs, body, world, objects);
 }
 
 int found(const mjModel* model, mjtObj kind, const std::string& name) {
@@ -255,9 +330,12 @@ int found(const mjModel* model, mjtObj kind, const std::string& name) {
 
 } // namespace
 
-ArmPhysics::ArmPhysics(const std::string& urdf, const std::string& tip, bool withPad)
+ArmPhysics::ArmPhysics(const std::string& urdf, const std::string& tip, bool withPad,
+                       const std::vector<SoftObject>& objects)
     : m_tip(tip) {
-    load(urdf, withPad);
+    if (!withPad && !objects.empty())
+        throw std::runtime_error("objects need a pad");
+    load(urdf, withPad, objects);
     m_data.reset(mj_makeData(m_model.get()));
     for (const std::string& name : m_joints) {
         const int joint = found(m_model.get(), mjOBJ_JOINT, name);
@@ -268,18 +346,19 @@ ArmPhysics::ArmPhysics(const std::string& urdf, const std::string& tip, bool wit
     m_site = found(m_model.get(), mjOBJ_SITE, "tip");
     m_force = m_model->sensor_adr[found(m_model.get(), mjOBJ_SENSOR, "force")];
     m_torque = m_model->sensor_adr[found(m_model.get(), mjOBJ_SENSOR, "torque")];
-    if (withPad) {
+    if (withPad && objects.empty())
         m_ball = m_model->jnt_dofadr[found(m_model.get(), mjOBJ_JOINT, "pad_ball")];
-        for (int i = 0; i < kRows * kColumns; ++i)
-            m_touches.push_back(
-                m_model->sensor_adr[found(m_model.get(), mjOBJ_SENSOR, "taxel_" + std::to_string(i))]);
-    }
+    for (int i = 0; withPad && i < kTaxels; ++i)
+        m_touches.push_back(m_model->sensor_adr[found(m_model.get(), mjOBJ_SENSOR, taxelName(i))]);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        m_objects.push_back(m_model->jnt_qposadr[found(m_model.get(), mjOBJ_JOINT, objectName(i))]);
     mj_forward(m_model.get(), m_data.get());
+    m_sensorTorque_Nm.assign(m_joints.size(), 0.0);
 }
 
 ArmPhysics::~ArmPhysics() = default;
 
-void ArmPhysics::load(const std::string& urdf, bool withPad) {
+void ArmPhysics::load(const std::string& urdf, bool withPad, const std::vector<SoftObject>& objects) {
     const Folder folder;
     const std::string plain = folder.path / "plain.urdf";
     const std::string translated = folder.path / "translated.xml";
@@ -302,7 +381,7 @@ void ArmPhysics::load(const std::string& urdf, bool withPad) {
         throw std::runtime_error(std::string("MuJoCo refused the URDF: ") + error);
     XMLDocument model;
     model.LoadFile(translated.c_str());
-    complete(model, description, m_tip, withPad);
+    complete(model, description, m_tip, withPad, objects);
     model.SaveFile(finished.c_str());
     m_model.reset(mj_loadXML(finished.c_str(), nullptr, error, sizeof(error)));
     if (!m_model)
@@ -330,7 +409,16 @@ void ArmPhysics::step(std::span<const double> velocity_radPerS) {
     mju_sub3(arm_m, &m_data->site_xpos[3 * m_site], &m_data->xipos[3 * body]);
     mju_copy3(&m_data->xfrc_applied[6 * body], m_push_N.data());
     mju_cross(&m_data->xfrc_applied[6 * body + 3], arm_m, m_push_N.data());
+    const std::vector<double> before_radPerS = ofJoints(m_data->qvel);
     mj_step2(m_model.get(), m_data.get());
+    // The integrator is implicit in the velocity: servo and damping act with that of the step's end.
+    const std::vector<double> after_radPerS = ofJoints(m_data->qvel);
+    m_sensorTorque_Nm.resize(after_radPerS.size());
+    for (std::size_t i = 0; i < after_radPerS.size(); ++i)
+        m_sensorTorque_Nm[i] = std::clamp(kServo_NmsPerRad * (velocity_radPerS[i] - after_radPerS[i]),
+                                          -kStrongest_Nm, kStrongest_Nm) -
+                               kDamping_NmsPerRad * after_radPerS[i] -
+                               kArmature_kgm2 * (after_radPerS[i] - before_radPerS[i]) / kStep_s;
 }
 
 std::vector<double> ArmPhysics::position_rad() const {
@@ -373,6 +461,13 @@ std::vector<double> ArmPhysics::taxels_N() const {
     std::vector<double> result;
     for (const int place : m_touches)
         result.push_back(m_data->sensordata[place]);
+    return result;
+}
+
+std::vector<double> ArmPhysics::depth_m() const {
+    std::vector<double> result;
+    for (const int place : m_objects)
+        result.push_back(-m_data->qpos[place]);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <time.h>
@@ -50,14 +51,15 @@ std::int64_t clock_ns(clockid_t clock) {
 
 Robot::Robot(const RobotOptions& options, const std::string& urdf)
     : m_options(options)
-    , m_arm(urdf, options.tip, options.pad)
+    , m_arm(urdf, options.tip, options.pad, options.objects)
     , m_follower(m_arm.joints(), startOf(options, m_arm),
                  options.startFrom == "desired" ? TrajectoryFollower::Start::Desired
                                                 : TrajectoryFollower::Start::Measured,
                  options.distribution == "jazzy")
     , m_velocityCommand(m_arm.joints().size(), 0.0)
     , m_positionCommand(startOf(options, m_arm))
-    , m_topics(options, urdf, m_arm) {
+    , m_topics(options, urdf, m_arm)
+    , m_random(options.seed) {
     m_arm.place(startOf(options, m_arm));
     if (!options.log.empty()) {
         m_log.open(options.log);
@@ -105,11 +107,18 @@ void Robot::step(std::int64_t step, double late_s) {
     m_arm.step(velocity);
     tell(step);
     logChanges();
-    if (due(step, 100))
-        log("state", {{"time_s", now_s},
-                      {"position", m_arm.position_rad()},
-                      {"velocity", m_arm.velocity_radPerS()},
-                      {"desired", desired.position_rad}});
+    if (due(step, 100)) {
+        nlohmann::json state{{"time_s", now_s},
+                             {"position", m_arm.position_rad()},
+                             {"velocity", m_arm.velocity_radPerS()},
+                             {"desired", desired.position_rad}};
+        if (!m_options.objects.empty()) {
+            const std::vector<double> taxels_N = m_arm.taxels_N();
+            state["pad_N"] = std::accumulate(taxels_N.begin(), taxels_N.end(), 0.0);
+            state["depth_m"] = m_arm.depth_m();
+        }
+        log("state", std::move(state));
+    }
     if (due(step, 5))
         m_log.flush();
 }
@@ -209,7 +218,10 @@ void Robot::tell(std::int64_t step) {
     if (has("silent"))
         return;
     JointTelling joints{m_arm.joints(), m_arm.position_rad(), m_arm.velocity_radPerS(),
-                        m_arm.effort_Nm(m_options.effortWithGravity)};
+                        m_options.torqueSensors ? m_arm.sensorTorque_Nm()
+                                                : m_arm.effort_Nm(m_options.effortWithGravity)};
+    addNoise(joints.position_rad, m_options.positionNoise_rad);
+    addNoise(joints.effort_Nm, m_options.effortNoise_Nm);
     if (has("nan"))
         joints.position_rad.front() = std::numeric_limits<double>::quiet_NaN();
     if (has("infinite"))
@@ -234,6 +246,13 @@ void Robot::tell(std::int64_t step) {
         stamp_ns = 0;
     if (counted(m_topics.tellJoints(joints, stamp_ns)))
         m_counts["joint_states"] = m_counts["joint_states"].get<int>() + 1;
+}
+
+void Robot::addNoise(std::vector<double>& values, double sd) {
+    if (!(sd > 0))
+        return;
+    for (double& value : values)
+        value += sd * m_noise(m_random);
 }
 
 void Robot::logChanges() {
@@ -261,16 +280,19 @@ std::string Robot::command(const std::string& line) {
         m_commanded = kind;
         return "done";
     }
+    if (verb == "counts")
+        return "done " + m_counts.dump();
     std::array<double, 3> force_N{};
     if (verb == "push" && words >> force_N[0] >> force_N[1] >> force_N[2]) {
         m_arm.push(force_N);
         return "done";
     }
-    if (verb == "press" && m_options.pad && words >> force_N[0] && force_N[0] >= 0) {
+    if (verb == "press" && m_options.pad && m_options.objects.empty() && words >> force_N[0] &&
+        force_N[0] >= 0) {
         m_arm.press(force_N[0]);
         return "done";
     }
-    return "error expected: fault KIND | push FX FY FZ | press F (with --pad)";
+    return "error expected: fault KIND | push FX FY FZ | press F (with --pad) | counts";
 }
 
 void Robot::finish() {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <random>
 #include <set>
 #include <string>
 
@@ -38,6 +39,7 @@ private:
     void tell(std::int64_t step);
     void log(const char* event, nlohmann::json fields);
     void logChanges();
+    void addNoise(std::vector<double>& values, double sd);
 
     RobotOptions m_options;
     ArmPhysics m_arm;
@@ -53,6 +55,8 @@ private:
     int m_jointReaders = 0;
     int m_incompatible = 0;
     nlohmann::json m_counts;
+    std::mt19937_64 m_random;
+    std::normal_distribution<double> m_noise;
 };
 
 /// A clock of the machine in ns.

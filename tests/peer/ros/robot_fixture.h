@@ -33,14 +33,14 @@ inline constexpr double kLease_s = 0.1;
 /// A robot of Fast DDS and MuJoCo over the loopback interface, and the file with which the programs move it.
 class RosArmPeer : public ::testing::Test {
 protected:
-    /// domain: no other test's. more: options of the robot.
-    void start(int domain, const QStringList& more = {}) {
+    /// domain: no other test's. more: options of the robot. duration_s: it ends by itself then.
+    void start(int domain, const QStringList& more = {}, int duration_s = 100) {
         m_domain = domain;
         QStringList arguments = {"--domain",     QString::number(domain),
                                  "--urdf",       QLatin1String(kUrdf),
                                  "--start-from", "desired",
                                  "--json",       m_folder.filePath("log"),
-                                 "--seconds",    "100",
+                                 "--seconds",    QString::number(duration_s),
                                  "--commands"};
         m_robot.start(QStringLiteral(TELETA_ROS_ROBOT), arguments + more, true);
         ASSERT_TRUE(m_robot.waitFor("ready"));

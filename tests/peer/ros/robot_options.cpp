@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace teleta::peer {
@@ -30,10 +31,11 @@ Lines on standard input with --commands, each answered by "done" or "error WHY":
   fault KIND | fault none      from now on
   push FX FY FZ                force on the tip in N, axes of the world
   press F                      force of the ball on the pad in N
+  counts                       the answer is "done" and what the log's "end" has, so far
   end                          as the end of the input: the program ends
 
 The log has one JSON object a line, with the steady clock in steady_ns: "ready", "state" (100 a second: position,
-velocity and desired position), "trajectory", "velocity", "position" and "jog" (each that came, whether accepted, why not, where the arm
+velocity and desired position; with objects: the force on the pad and how far each is pressed down), "trajectory", "velocity", "position" and "jog" (each that came, whether accepted, why not, where the arm
 stood), "matched" (writers on the command topic, readers of joint states), "fault", "end" (counts).)";
 
 double number(const std::string& text) {
@@ -72,9 +74,23 @@ Fault readFault(const std::string& text) {
     return fault;
 }
 
+SoftObject readObject(const std::string& text) {
+    std::istringstream words(text);
+    words.imbue(std::locale::classic());
+    SoftObject object;
+    char comma[3] = "";
+    words >> object.position_m[0] >> comma[0] >> object.position_m[1] >> comma[1] >> object.position_m[2] >>
+        comma[2] >> object.stiffness_NPerM;
+    if (!words || !words.eof() || comma[0] != ',' || comma[1] != ',' || comma[2] != ',' ||
+        !(object.stiffness_NPerM > 0))
+        throw std::invalid_argument("'" + text + "' is no object (X,Y,Z,STIFFNESS)");
+    return object;
+}
+
 RobotOptions readOptions(int argc, char** argv) {
     RobotOptions options;
     std::vector<std::string> faults;
+    std::vector<std::string> objects;
     CLI::App app(
         "A robot on ROS 2 topics for tests: Fast DDS and MuJoCo, on 127.0.0.1 only. It ends by itself.");
     app.footer(kFaults);
@@ -118,10 +134,23 @@ RobotOptions readOptions(int argc, char** argv) {
         ->delimiter(',');
     app.add_flag("--effort-with-gravity", options.effortWithGravity,
                  "Tell effort with the torque that carries the arm");
+    app.add_flag(
+           "--torque-sensors", options.torqueSensors,
+           "Tell effort as sensors behind the gears feel it, without friction and inertia of the motors")
+        ->excludes("--effort-with-gravity");
     app.add_flag("--pad", options.pad, "A pad of 14 x 6 touch sensors on /pad/tactile");
     app.add_option("--pad-rate", options.padRate_Hz, "Frames of the pad a second; a divisor of 1000")
         ->check(CLI::Range(1.0, 1000.0))
         ->capture_default_str();
+    app.add_option(
+        "--object", objects,
+        "X,Y,Z,STIFFNESS: a ball of 12 mm in m of the world, on a vertical spring in N/m; with --pad, "
+        "which is a hard plate then; can be repeated");
+    app.add_option("--effort-noise", options.effortNoise_Nm, "Standard deviation of the efforts told")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--position-noise", options.positionNoise_rad, "Standard deviation of the positions told")
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--seed", options.seed, "Of the noise")->capture_default_str();
     app.add_option("--fault", faults, "Something that goes wrong, see below; can be repeated");
     app.add_option("--json", options.log, "File of the log");
     app.add_option("--seconds", options.seconds, "It ends after this time")
@@ -132,6 +161,8 @@ RobotOptions readOptions(int argc, char** argv) {
         app.parse(argc, argv);
         for (const std::string& text : faults)
             options.faults.push_back(readFault(text));
+        for (const std::string& text : objects)
+            options.objects.push_back(readObject(text));
     } catch (const CLI::ParseError& error) {
         std::exit(app.exit(error));
     } catch (const std::invalid_argument& error) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "arm_physics.h"
+
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,8 +33,13 @@ struct RobotOptions {
     std::string commandQos = "reliable";
     std::vector<double> position_rad;
     bool effortWithGravity = false;
+    bool torqueSensors = false;
     bool pad = false;
     double padRate_Hz = 100;
+    std::vector<SoftObject> objects;
+    double effortNoise_Nm = 0;
+    double positionNoise_rad = 0;
+    std::uint64_t seed = 1; ///< of the noise
     std::vector<Fault> faults;
     std::string log;
     double seconds = 60;
@@ -43,5 +51,8 @@ struct RobotOptions {
 
 /// "KIND@START" or "KIND@START+DURATION" in seconds. Throws std::invalid_argument.
 [[nodiscard]] Fault readFault(const std::string& text);
+
+/// "X,Y,Z,STIFFNESS" in m and N/m. Throws std::invalid_argument.
+[[nodiscard]] SoftObject readObject(const std::string& text);
 
 } // namespace teleta::peer

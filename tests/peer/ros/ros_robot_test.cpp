@@ -259,6 +259,31 @@ TEST_F(RosRobot, feelsTheBallOnItsPad) {
         EXPECT_NEAR(last.data()[taxel], 2 / cosine / 4, 0.01);
 }
 
+TEST_F(RosRobot, anObjectPushesLikeASpring) {
+    // The tip looks up. The ball stands 1 mm too low, 20 mm beside the axes of joints 2, 4 and 6,
+    // in the middle of a column: on the line between two taxels both would feel it.
+    constexpr double kStiffness_NPerM = 2000.0;
+    constexpr double kDepth_m = 0.001;
+    constexpr double kLever_m = 0.02;
+    constexpr double kBall_m = 0.012;
+    const double tip_m = 0.1575 + 0.2025 + kHeightOverJoint2_m;
+    start({"--pad", "--torque-sensors", "--object",
+           QString("%1,0.0017,%2,%3")
+               .arg(kLever_m)
+               .arg(tip_m + kBall_m - kDepth_m, 0, 'g', 12)
+               .arg(kStiffness_NPerM)});
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    ASSERT_TRUE(eventually([&] { return next(); }));
+    const nlohmann::json state = logOf("state").back();
+    EXPECT_NEAR(state["depth_m"][0].get<double>(), -kDepth_m, 0.02 * kDepth_m);
+    const double force_N = state["pad_N"];
+    EXPECT_NEAR(force_N, kStiffness_NPerM * kDepth_m, 0.02 * kStiffness_NPerM * kDepth_m);
+    for (const std::size_t joint : {1, 3, 5})
+        EXPECT_NEAR(std::abs(m_last.effort()[joint]), force_N * kLever_m, 0.02 * force_N * kLever_m) << joint;
+    for (const std::size_t joint : {0, 2, 4, 6})
+        EXPECT_NEAR(m_last.effort()[joint], 0.0, 1e-4) << joint;
+}
+
 TEST_F(RosRobot, keepsTheLastVelocityForEver) {
     start({"--controller", "velocity"});
     fast::DataWriter* writer = m_node.write("/velocity_controller/commands",

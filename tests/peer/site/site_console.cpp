@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A console at a site with one arm, in a process of its own.
 //   site_console FILE
-// Lines that it takes: request, release, offer NAME, accept, press RATE, let_go, stop, withdraw (its own
-// STOP), count (from here on), tell, end. To "tell" it answers with a line of JSON.
+// Lines that it takes: request, release, offer NAME, accept, press RATE, let_go, freeze, stop, withdraw (its
+// own STOP), count (from here on), tell, end. To "tell" it answers with a line of JSON.
 #include "backend/core/steady_time.h"
 #include "devices/site/remote/remote_array.h"
 #include "devices/site/site_streams.h"
@@ -76,6 +76,8 @@ public:
             m_console.press(std::stod(about));
         else if (what == "let_go")
             m_console.letGo();
+        else if (what == "freeze")
+            m_console.freeze();
         else if (what == "stop")
             m_console.stop().engage();
         else if (what == "withdraw")

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <ctime>
@@ -175,6 +176,8 @@ public:
                 m_arm->post(command);
                 std::this_thread::sleep_for(std::chrono::milliseconds(15));
             }
+            if (m_freezes)
+                return;
             command.rate_radPerS[1] = 0.0;
             command.time_ns = core::steadyNow_ns();
             m_arm->post(command);
@@ -185,6 +188,12 @@ public:
             return;
         m_hand.request_stop();
         m_hand.join();
+    }
+
+    /// The view hangs while the switch is held: no more commands come from it, not even that it is let go.
+    void freeze() {
+        m_freezes = true;
+        letGo();
     }
 
     [[nodiscard]] core::DeviceStatus armStatus() const { return m_arm->status(); }
@@ -264,6 +273,7 @@ private:
     core::JointSample m_newest;
     std::vector<core::JointSample> m_track;
     double m_rate_radPerS = 0.0; ///< that the hand asks for
+    std::atomic<bool> m_freezes{false};
     std::jthread m_hand;
 };
 
