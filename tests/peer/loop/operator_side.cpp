@@ -47,7 +47,7 @@ openChannel(const std::shared_ptr<site_link::SiteClient>& client,
             TELETA_TRY(pipeline::RecordedArm described, pipeline::recordedArm(stream, "lab"));
             described.description.recorded = false;
             skin(described.description);
-            TELETA_TRY(arm, site_link::RemoteArm::open(client, device, described.description));
+            TELETA_TRY(arm, site_link::RemoteArm::open(client, device, described.description, false));
         } else if (stream.kind == StreamKind::array) {
             TELETA_TRY(pipeline::RecordedArray described, pipeline::recordedArray(stream, "lab"));
             described.description.recorded = false;
