@@ -9489,6 +9489,10 @@ Run %2 --help for more.
         <source>the arm does not follow its commands</source>
         <translation>le bras ne suit pas ses commandes</translation>
     </message>
+    <message>
+        <source>%1 fell silent</source>
+        <translation>%1 s’est tu</translation>
+    </message>
 </context>
 <context>
     <name>RosArmFile</name>

@@ -9464,6 +9464,10 @@ Run %2 --help for more.
         <source>the arm does not follow its commands</source>
         <translation>アームが指令に追従していません</translation>
     </message>
+    <message>
+        <source>%1 fell silent</source>
+        <translation>%1が途絶えました</translation>
+    </message>
 </context>
 <context>
     <name>RosArmFile</name>

@@ -9464,6 +9464,10 @@ Run %2 --help for more.
         <source>the arm does not follow its commands</source>
         <translation>机械臂未跟随其指令</translation>
     </message>
+    <message>
+        <source>%1 fell silent</source>
+        <translation>%1 已中断</translation>
+    </message>
 </context>
 <context>
     <name>RosArmFile</name>

@@ -24,6 +24,8 @@ QString describe(const ArmFault& fault) {
         return ArmFaultText::tr("the position of %1 jumped").arg(what);
     case ArmFaultKind::backward:
         return ArmFaultText::tr("the stamps of %1 went back").arg(what);
+    case ArmFaultKind::silent:
+        return ArmFaultText::tr("%1 fell silent").arg(what);
     case ArmFaultKind::notFollowing:
         break;
     }

@@ -13,6 +13,7 @@ enum class ArmFaultKind {
     notFinite,    ///< a position is no number; what: the topic
     jumped,       ///< a joint moved faster than any arm can; what: the joint
     backward,     ///< the stamps went back; what: the topic
+    silent,       ///< the positions have not been told for long; what: the topic
     notFollowing, ///< the arm lags; what: empty
 };
 

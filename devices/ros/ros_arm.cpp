@@ -227,6 +227,10 @@ void RosArm::step(std::int64_t now_ns) {
     if (!input.trouble && m_otherWriter)
         input.trouble = ArmFault{ArmFaultKind::otherWriter, m_file.commandTopic()};
     const std::optional<ros::JoinedJoints> joints = m_watch.sampleAt(now_ns);
+    if (joints)
+        m_known_ns = now_ns;
+    else if (m_known_ns && now_ns - *m_known_ns > kSilence_ns && !input.trouble)
+        input.trouble = ArmFault{ArmFaultKind::silent, m_file.jointStates};
     // An arm whose effort is to hold it is not known without it.
     const core::JointVector torque = joints ? torqueOf(*joints) : core::JointVector();
     const bool effortMissing = joints && torque.empty() && !m_file.limits.effortStop_Nm.empty();

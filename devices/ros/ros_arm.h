@@ -63,6 +63,9 @@ struct RosArmState {
 class RosArm : public core::ArmSource {
 public:
     static constexpr std::int64_t kSettling_ns = 2'500'000'000;
+    /// Joints that are not told for longer than that, once they were, are a fault. The arm is held long
+    /// before.
+    static constexpr std::int64_t kSilence_ns = 1'000'000'000;
 
     /// Joins the domain and reads the description; it waits for that, see findChain(). stop must outlive the
     /// arm. required: the devices of the site that moves the arm, which the file may require; null: without a
@@ -138,6 +141,7 @@ private:
     double m_clockDifference_s = 0.0; ///< our wall clock less the newest stamp
     std::int64_t m_opened_ns = 0;
     std::int64_t m_nextLook_ns = 0;
+    std::optional<std::int64_t> m_known_ns; ///< when all joints were known the last time
     std::size_t m_controllers = 0;
     bool m_otherWriter = false;
     std::uint64_t m_unsent = 0;

@@ -235,5 +235,25 @@ TEST_F(SiteRobot, stopOfAViewerBrakesAndAFaultIsClearedByWhoControls) {
     EXPECT_TRUE(console.moves());
 }
 
+TEST_F(SiteRobot, jointsThatStaySilentAreAFault) {
+    begin(132);
+    TestConsole console(*m_site, "a");
+    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    ASSERT_TRUE(m_robot.command("fault silent"));
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::fault; }));
+    EXPECT_NE(console.hindrance().find("/joint_states fell silent"), std::string::npos)
+        << console.hindrance();
+    ASSERT_TRUE(m_robot.command("fault none"));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.rests(300ms, 2e-3); }));
+    console.letGo();
+    ASSERT_TRUE(
+        TestConsole::eventually([&] { return console.ask(RequestKind::clearFault) == RequestAnswer::done; }));
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.moves());
+}
+
 } // namespace
 } // namespace teleta
