@@ -102,14 +102,24 @@ const FoundObject* FoundObjects::add(const TouchRecord& touch) {
     std::vector<double> values;
     std::vector<double> lower;
     std::vector<double> upper;
-    for (const Touched& touched : open->touches) {
-        if (!touched.stiffness)
-            continue;
-        const auto [low, high] = endsOf(*touched.stiffness);
-        values.push_back(touched.stiffness->value_NPerM.value_or(kInfinity));
+    const auto count = [&](const Stiffness& touched) {
+        const auto [low, high] = endsOf(touched);
+        values.push_back(touched.value_NPerM.value_or(kInfinity));
         lower.push_back(low);
         upper.push_back(high);
+    };
+    std::vector<Stiffness> bounds;
+    for (const Touched& touched : open->touches) {
+        if (touched.stiffness && touched.stiffness->value_NPerM)
+            count(*touched.stiffness);
+        else if (touched.stiffness)
+            bounds.push_back(*touched.stiffness);
     }
+    // A bound that allows what as many touches told adds nothing to it.
+    const double known = bounds.size() <= values.size() && !upper.empty() ? core::medianOf(upper) : 0.0;
+    for (const Stiffness& bound : bounds)
+        if (endsOf(bound).first > known)
+            count(bound);
     if (!values.empty()) {
         const double value = core::medianOf(values);
         object.stiffness = Stiffness{.value_NPerM = ifFinite(value),

@@ -23,7 +23,8 @@ struct FoundObject {
     contact::ContactType contact = contact::ContactType::none; ///< of the newest touch, as the skin felt it
     double highestForce_N = 0.0; ///< of the touches when they were evaluated; observed components
     /// Of the touches that tell one: the median, between the medians of the ends of their intervals. The
-    /// median leaves out the touch that slid off a corner.
+    /// median leaves out the touch that slid off a corner. Touches that tell a bound alone count as rigid
+    /// where they are more than those with a value, or contradict them.
     std::optional<stiffness::Stiffness> stiffness;
     std::optional<stiffness::Material> material; ///< of that stiffness
     std::optional<contour::Recognition> recognition;

@@ -87,6 +87,20 @@ TEST(FoundObjects, areOnlyBoundedWhenMostTouchesDoNotTellThemFromRigid) {
     EXPECT_EQ(object.material, stiffness::Material::metal);
 }
 
+TEST(FoundObjects, areNotMetalForABoundThatAllowsWhatAnotherTouchTold) {
+    FoundObjects found;
+    found.add(touchOf(0.00, 0.0, {}, 600.0, {}));
+    EXPECT_EQ(found.objects().at(0).material, stiffness::Material::metal) << "not told from rigid";
+    found.add(touchOf(0.01, 0.0, 1300.0, 1200.0, 1400.0));
+    EXPECT_EQ(found.objects().at(0).stiffness->value_NPerM, 1300.0);
+    EXPECT_EQ(found.objects().at(0).stiffness->upper95_NPerM, 1400.0);
+    EXPECT_EQ(found.objects().at(0).material, stiffness::Material::rubberSponge);
+    // One that contradicts it counts.
+    found.add(touchOf(0.02, 0.0, {}, 9000.0, {}));
+    found.add(touchOf(0.03, 0.0, {}, 9500.0, {}));
+    EXPECT_EQ(found.objects().at(0).material, stiffness::Material::metal);
+}
+
 TEST(FoundObjects, areReplacedWhenTheSamePointHasAnotherStiffness) {
     FoundObjects found;
     found.add(touchOf(0.0, 0.0, 282.0, 270.0, 290.0));
