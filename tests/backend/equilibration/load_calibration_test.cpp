@@ -3,6 +3,7 @@
 #include "backend/equilibration/load_calibration_file.h"
 #include "tests/backend/core/temporary_folder.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
