@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/joint_channel.h"
 
-#include "backend/arm_model/serial_chain.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/stream_columns.h"
@@ -65,8 +64,7 @@ JointChannel::Taps JointChannel::tapInto(recording::StreamSink* sink, const std:
     Taps taps;
     taps.joints = sink->addStream(armStream(name + "-joints", description(), skinStream, m_chain.get()));
     if (m_arm->wrenches() != nullptr)
-        taps.wrench = sink->addStream(
-            wrenchStream(name + "-wrench", description(), m_chain ? m_chain->tipLink() : std::string()));
+        taps.wrench = sink->addStream(wrenchStream(name + "-wrench", description(), m_chain.get()));
     return taps;
 }
 

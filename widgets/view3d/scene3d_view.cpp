@@ -352,10 +352,9 @@ void Scene3dView::setProvenance(base::Provenance provenance) {
 }
 
 void Scene3dView::setSurface(Surface surface) {
-    Parts& parts = *m_parts;
-    (surface == Surface::plate ? parts.plate : parts.cylinder)->setChecked(true);
-    if (surface != parts.scene.surface()) {
-        parts.scene.setSurface(surface);
+    (surface == Surface::plate ? m_parts->plate : m_parts->cylinder)->setChecked(true);
+    if (surface != m_parts->scene.surface()) {
+        m_parts->scene.setSurface(surface);
         refresh();
     }
 }
@@ -428,15 +427,10 @@ void Scene3dView::setJoints(std::span<const JointDial> dials) {
 }
 
 void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
-    Parts& parts = *m_parts;
-    if (!force && !parts.marks.wrench.force())
-        return;
-    parts.marks.wrench.setForce(force);
-    parts.scene.setArmForceAt(force && force->measured && !parts.scene.hasSensor()
-                                  ? std::optional(force->p_World_m)
-                                  : std::nullopt);
-    parts.scene.setOtherForce(force && force->force_N.allFinite() ? force->force_N.norm() : 0.0);
-    parts.vtk->requestRender();
+    if (force || this->force())
+        m_parts->vtk->requestRender();
+    m_parts->marks.wrench.setForce(force);
+    m_parts->scene.setForce(force);
 }
 
 const std::optional<DrawnForce>& Scene3dView::force() const {
@@ -598,8 +592,7 @@ void Scene3dView::keyPressEvent(QKeyEvent* event) {
         camera.zoom(1.0 / kZoomStep);
         break;
     default:
-        QWidget::keyPressEvent(event);
-        return;
+        return QWidget::keyPressEvent(event);
     }
     event->accept();
 }

@@ -208,8 +208,9 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
 }
 
 recording::StreamInfo wrenchStream(const std::string& name, const core::ArmDescription& description,
-                                   const std::string& frame) {
-    const ordered_json details{{"simulated", description.simulated}, {"frame", frame}};
+                                   const arm_model::SerialChain* chain) {
+    const ordered_json details{{"simulated", description.simulated},
+                               {"frame", chain != nullptr ? chain->tipLink() : std::string()}};
     return {.name = name,
             .kind = recording::StreamKind::wrench,
             .type = recording::ValueType::float64,

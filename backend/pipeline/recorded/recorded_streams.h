@@ -56,9 +56,10 @@ inline constexpr std::size_t kWrenchValues = 6;
                                               const core::ArmDescription& description,
                                               const std::string& skinStream,
                                               const arm_model::SerialChain* chain = nullptr);
-/// Force and torque at an arm's tip. frame: the tip's.
-[[nodiscard]] recording::StreamInfo
-wrenchStream(const std::string& name, const core::ArmDescription& description, const std::string& frame);
+/// Force and torque at an arm's tip. chain: names the tip, where it is known.
+[[nodiscard]] recording::StreamInfo wrenchStream(const std::string& name,
+                                                 const core::ArmDescription& description,
+                                                 const arm_model::SerialChain* chain);
 /// A frame of such a stream.
 [[nodiscard]] std::array<double, kWrenchValues> wrenchValues(const core::WrenchSample& sample);
 /// Touches of an arm.

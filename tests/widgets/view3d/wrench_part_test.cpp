@@ -73,7 +73,7 @@ TEST(MomentOfLoads, isEmptyWithoutAContact) {
 TEST(WrenchPart, theForceEndsWhereItActsAndIsAsLongAsAContactsArrow) {
     Drawn drawn;
     const Eigen::Vector3d p(0.1, 0.2, 0.3);
-    drawn.scene.setOtherForce(3.0);
+    drawn.scene.setForce(view3d::DrawnForce{p, {0.0, 3.0, 0.0}});
     drawn.wrench.setForce(view3d::DrawnForce{p, {0.0, 3.0, 0.0}});
     drawn.show(slanted());
     ASSERT_TRUE(drawn.wrench.forceTail());

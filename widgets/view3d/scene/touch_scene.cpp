@@ -269,6 +269,13 @@ Eigen::AlignedBox3d TouchScene::sensorBox_m() const {
             Eigen::Vector3d(0.5 * body.length_m, radius_m, radius_m)};
 }
 
+void TouchScene::setForce(const std::optional<DrawnForce>& force) {
+    m_otherForce_N = force && force->force_N.allFinite() ? force->force_N.norm() : 0.0;
+    m_armForceAt_m.reset();
+    if (force && force->measured && !m_hasSensor)
+        m_armForceAt_m = force->p_World_m;
+}
+
 double TouchScene::armArrow_m() const {
     return armBox_m().isEmpty() ? 0.0 : kArrowOfArm * armBox_m().diagonal().norm();
 }

@@ -68,13 +68,11 @@ public:
         m_tube.setDisplacementShown(shown);
     }
     void setForcesShown(bool shown) { m_contacts.setForcesShown(shown); }
-    /// Where a force on the arm ends that has a scale of its own; the longest arrow fits into corners().
-    /// Empty: there is none.
-    void setArmForceAt(const std::optional<Eigen::Vector3d>& p_World_m) { m_armForceAt_m = p_World_m; }
-    /// Length of its longest arrow.
+    /// A force on the arm: one that is drawn beside the contacts' has their scale, and the longest arrow of
+    /// one with a scale of its own fits into corners(). Empty: there is none.
+    void setForce(const std::optional<DrawnForce>& force);
+    /// Length of the longest arrow of the latter.
     [[nodiscard]] double armArrow_m() const;
-    /// Size of a force that is drawn beside the contacts' with the same scale; 0: there is none.
-    void setOtherForce(double force_N) { m_otherForce_N = force_N; }
     /// The tube watched by a camera; null: none. Returns whether the outer shape of the scene changed.
     bool setTube(const pipeline::CameraSnapshot* snapshot);
     [[nodiscard]] const TubePart& tube() const { return m_tube; }
