@@ -152,6 +152,7 @@ void PatternEditor::makeActions() {
     m_saveAs = action({}, Qt::CTRL | Qt::SHIFT | Qt::Key_S, [this] { emit saveAsRequested(); });
     m_exportTo = action({}, Qt::CTRL | Qt::Key_E, [this] { emit exportRequested(); });
     m_play = action(base::themeIcon(base::Icon::play), {}, [this] { togglePlay(); });
+    m_play->setObjectName(QStringLiteral("playPattern"));
     m_stop = action({}, {}, [this] { emit stopRequested(); });
     m_loop = action(base::themeIcon(base::Icon::loop), {}, [] {});
     m_loop->setObjectName(QStringLiteral("loop"));

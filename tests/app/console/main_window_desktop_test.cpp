@@ -195,10 +195,11 @@ private slots:
         QTRY_VERIFY(m_window->patternsPage().isVisible());
         auto* timeline = m_window->patternsPage().editor().timeline();
         QCOMPARE(QApplication::focusWidget(), timeline);
-        QTRY_VERIFY(m_window->bracelet().isReady());
+        // The page is told with its next tick that STOP was released.
+        QTRY_VERIFY(m_window->patternsPage().editor().findChild<QAction*>("playPattern")->isEnabled());
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
         QVERIFY(!m_stop->engaged());
-        QTRY_VERIFY(m_window->bracelet().playingPosition_s().has_value());
+        QVERIFY(m_window->patternsPage().editor().isPlaying());
     }
 
     void aFileThatIsNotMcapIsReportedAndNotImported() {
