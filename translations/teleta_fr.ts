@@ -5960,6 +5960,10 @@ Exemples&#xa0;:
         <source>the scatter of this load differs from another row</source>
         <translation>la dispersion de cette charge diffère de celle d’une autre ligne</translation>
     </message>
+    <message>
+        <source>an error or a scatter is below 0</source>
+        <translation>une erreur ou une dispersion est inférieure à 0</translation>
+    </message>
 </context>
 <context>
     <name>LoadsCommand</name>

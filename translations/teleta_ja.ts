@@ -5942,6 +5942,10 @@ Examples:
         <source>the scatter of this load differs from another row</source>
         <translation>この荷重のばらつきがほかの行と異なります</translation>
     </message>
+    <message>
+        <source>an error or a scatter is below 0</source>
+        <translation>誤差またはばらつきが0未満です</translation>
+    </message>
 </context>
 <context>
     <name>LoadsCommand</name>

@@ -5942,6 +5942,10 @@ Examples:
         <source>the scatter of this load differs from another row</source>
         <translation>此载荷的离散度与另一行不同</translation>
     </message>
+    <message>
+        <source>an error or a scatter is below 0</source>
+        <translation>误差或离散度小于 0</translation>
+    </message>
 </context>
 <context>
     <name>LoadsCommand</name>

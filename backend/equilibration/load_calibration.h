@@ -31,7 +31,8 @@ struct LoadCalibration {
     struct Loads {
         Eigen::VectorXd loads;
         /// Standard errors of these loads, at most:  sqrt(scatter^2 + (sum |error (signal - rest)|)^2), as if
-        /// the errors of all gains went together. Of noise as in the presses, within their range.
+        /// the errors of all gains went together. The rest counts as exact. Of noise as in the presses,
+        /// within their range.
         Eigen::VectorXd errors;
         bool extrapolated = false; ///< a signal lies outside of what the presses had
     };

@@ -71,6 +71,12 @@ core::Expected<Row> rowOf(const core::CsvReader& csv, const std::vector<std::siz
                                 csv.place(columns[i + 2]));
         row.numbers[i] = *number;
     }
+    for (const std::size_t i : {std::size_t{1}, std::size_t{5}}) {
+        if (row.numbers[i] < 0.0)
+            return core::failed(core::ErrorKind::badInput,
+                                LoadFileText::tr("an error or a scatter is below 0"), {},
+                                csv.place(columns[i + 2]));
+    }
     if (row.numbers[3] > row.numbers[4])
         return core::failed(core::ErrorKind::badInput, LoadFileText::tr("least is above greatest"), {},
                             csv.place(columns[5]));

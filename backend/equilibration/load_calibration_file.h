@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 8> kLoadCalibrationColumns{
 /// Reads a calibration: CSV with the columns load,signal,gain,gain_se,rest,least,greatest,scatter, a
 /// row for each load and signal. Error: notFound, ioFailed, badInput with line and column: an unknown load, a
 /// pair that is missing or twice, rests or ranges of one signal, or scatters of one load, that differ, least
-/// above greatest. Thread: any.
+/// above greatest, an error or a scatter below 0. Thread: any.
 [[nodiscard]] core::Expected<LoadCalibration> readLoadCalibration(const std::string& path);
 
 /// Writes one row for each load and signal. Rows: a type with the members of core::CsvWriter.

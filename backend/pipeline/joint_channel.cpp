@@ -90,15 +90,18 @@ const std::vector<core::JointSample>& JointChannel::takeSamples() {
 
 void JointChannel::takeWrenches() {
     core::BoundedQueue<core::WrenchSample>* wrenches = m_arm->wrenches();
-    std::size_t waiting = wrenches != nullptr ? wrenches->size() : 0;
+    std::optional<core::WrenchSample> newest;
     core::WrenchSample sample;
-    for (; waiting > 0 && wrenches->pop(sample); --waiting) {
+    for (std::size_t waiting = wrenches != nullptr ? wrenches->size() : 0;
+         waiting > 0 && wrenches->pop(sample); --waiting) {
         const auto values = wrenchValues(sample);
         for (const Taps& taps : m_tapsInUse)
             if (taps.wrench)
                 taps.wrench->append(sample.time_ns, sample.sourceTime_s, std::span<const double>(values));
-        m_newestWrench.set(sample);
+        newest = sample;
     }
+    if (newest)
+        m_newestWrench.set(newest);
 }
 
 void JointChannel::publish(const core::JointSample& sample) {

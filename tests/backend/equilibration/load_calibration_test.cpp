@@ -161,6 +161,8 @@ TEST(LoadCalibrationFile, tellsWhereItIsWrong) {
     EXPECT_EQ(place("weight_n,a,1,0,0,0,1,0\n"), "2:1");
     EXPECT_EQ(place("force_n,a,much,0,0,0,1,0\n"), "2:11");
     EXPECT_EQ(place("force_n,a,1,0,0,2,1,0\n"), "2:17");
+    EXPECT_EQ(place("force_n,a,1,-2,0,0,1,0\n"), "2:13");
+    EXPECT_EQ(place("force_n,a,1,0,0,0,1,-1\n"), "2:21");
     EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nforce_n,a,1,0,0,0,1,0\n"), "3:1");
     EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nshear_x_n,a,1,0,5,0,1,0\n"), "3:17");
     EXPECT_EQ(place("force_n,a,1,0,0,0,1,0\nshear_x_n,b,1,0,0,0,1,0\n"), "4:1");

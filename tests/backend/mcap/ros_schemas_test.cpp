@@ -74,9 +74,14 @@ TEST(RosNames, equalOnesGetNumbersAndFramesFollowTheirSource) {
          .kind = StreamKind::camera,
          .source = "eye",
          .details = R"({"camera":{"mirrored":true}})"},
-        {.name = "pushes", .kind = StreamKind::contacts, .source = "eye"}};
+        {.name = "pushes", .kind = StreamKind::contacts, .source = "eye"},
+        {.name = "arm-wrench",
+         .kind = StreamKind::wrench,
+         .source = "arm",
+         .details = R"({"frame":"tool0"})"},
+        {.name = "wrench", .kind = StreamKind::wrench, .source = "other"}};
     const auto names = mcap::rosNames(streams);
-    ASSERT_EQ(names.size(), 5U);
+    ASSERT_EQ(names.size(), 7U);
     EXPECT_EQ(names[0].topic, "a_b");
     EXPECT_EQ(names[0].frame, "a_b");
     EXPECT_EQ(names[1].topic, "a_b_2");
@@ -86,4 +91,6 @@ TEST(RosNames, equalOnesGetNumbersAndFramesFollowTheirSource) {
     EXPECT_FALSE(names[3].turnsY);
     EXPECT_EQ(names[4].frame, "eye");
     EXPECT_TRUE(names[4].turnsY);
+    EXPECT_EQ(names[5].frame, "tool0");
+    EXPECT_EQ(names[6].frame, "") << "nobody told where it was measured";
 }

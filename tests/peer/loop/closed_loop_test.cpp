@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed loop over a link of 20 ms and 1 % loss. One namespace has a robot of Fast DDS and MuJoCo with a
 // pad on its forearm, three balls on springs, and teleta-site; the other one has the operator, who feels for
-// the balls. It prints what was found beside what is true. TELETA_LOOP_SEEDS: runs in place of ten.
-// The true stiffness is the constant of the ball's spring, which MuJoCo is given. Force over depth, as the
-// robot's own log tells both, shows that the contact yields as good as nothing.
+// the balls. It prints what was found beside what is true. TELETA_LOOP_SEEDS sets the number of runs (10).
+// The true stiffness is the constant of the ball's spring, which MuJoCo is given. Force over depth, both from
+// the robot's own log, shows that the contact itself hardly yields.
+#include "backend/core/quantile.h"
 #include "backend/stiffness/material.h"
 #include "loop_place.h"
 #include "tests/peer/site/site_over_link.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +37,7 @@ constexpr std::array<double, 3> kStiffness_NPerM{282.0, 1325.9, 5000.0};
 constexpr double kNear_m = 0.05;
 constexpr int kLongestRun_ms = 400'000;
 
-/// 20 ms, the way, and what the simulated link takes today.
+/// 20 ms, the delay of the link, and the 8 ms of a simulated link.
 constexpr double kTarget_s = 0.020 + test::kLinkDelay_s + 0.008;
 
 struct Ball {
@@ -45,7 +47,7 @@ struct Ball {
     double stiffness_NPerM = 0.0;
 };
 
-/// Which stands where, and where exactly, is another with every seed.
+/// Each seed has another order of the balls, and slightly other places.
 std::vector<Ball> world(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::array<double, 3> stiffness_NPerM = kStiffness_NPerM;
@@ -78,6 +80,8 @@ struct Outcome {
     [[nodiscard]] std::string material() const {
         return found && (*found)["material"].is_string() ? (*found)["material"].get<std::string>() : "";
     }
+    /// Nothing told is no wrong answer.
+    [[nodiscard]] bool isWrong() const { return !material().empty() && !recognised(); }
     [[nodiscard]] bool recognised() const {
         return material() == stiffness::toString(stiffness::classify(ball.stiffness_NPerM));
     }
@@ -87,27 +91,14 @@ bool covers(const json& touch, double truth_NPerM) {
     return touch["lower"].get<double>() <= truth_NPerM && truth_NPerM <= touch.value("upper", HUGE_VAL);
 }
 
-double quantile(std::vector<double> values, double probability) {
-    std::ranges::sort(values);
-    return values[static_cast<std::size_t>(std::ceil(probability * static_cast<double>(values.size()))) - 1];
+/// Median; 0 of nothing.
+double median(std::vector<double> values) {
+    return values.empty() ? 0.0 : core::medianOf(values);
 }
 
-double median(const std::vector<double>& values) {
-    return values.empty() ? 0.0 : quantile(values, 0.5);
-}
-
-/// The least number of intervals of n, each of which holds with 95 %, that is not a one in a thousand event.
+/// So many of n intervals, each of which holds with 95 %, hold at least, but once in a thousand times.
 int leastCovered(int n) {
-    double probability = 1.0; // of exactly n
-    for (int i = 0; i < n; ++i)
-        probability *= 0.95;
-    int k = n;
-    // Downwards: those above k have tail of it; stop when what is left below is under 0.001.
-    for (double above = probability; k > 0 && 1.0 - above > 0.001; above += probability) {
-        probability *= static_cast<double>(k) / (n - k + 1) * (0.05 / 0.95);
-        --k;
-    }
-    return k;
+    return n == 0 ? 0 : static_cast<int>(quantile(boost::math::binomial(n, 0.95), 0.001));
 }
 
 class ClosedLoop : public test::SiteOverLink {
@@ -312,6 +303,7 @@ TEST_F(ClosedLoop, objectsOfUnknownMaterialAreFoundOverALink) {
     }
     int found = 0;
     int recognised = 0;
+    int wrong = 0;
     int touches = 0;
     int estimates = 0;
     int covered = 0;
@@ -319,6 +311,7 @@ TEST_F(ClosedLoop, objectsOfUnknownMaterialAreFoundOverALink) {
     for (const Outcome& outcome : m_outcomes) {
         found += outcome.found ? 1 : 0;
         recognised += outcome.recognised() ? 1 : 0;
+        wrong += outcome.isWrong() ? 1 : 0;
         EXPECT_NEAR(outcome.logged_NPerM / outcome.ball.stiffness_NPerM, 1.0, 0.02);
         for (const json& touch : outcome.touches) {
             ++touches;
@@ -331,29 +324,31 @@ TEST_F(ClosedLoop, objectsOfUnknownMaterialAreFoundOverALink) {
         }
     }
     const int objects = static_cast<int>(m_outcomes.size());
-    std::printf("objects %d: found %d, material right %d\n", objects, found, recognised);
+    std::printf("objects %d: found %d, material right %d, wrong %d\n", objects, found, recognised, wrong);
     std::printf(
         "touches %d: with a reliable stiffness %d, whose 95 %% interval holds the truth %d (at least %d "
         "are asked for); error in the median %.1f %%, at most %.1f %%\n",
         touches, estimates, covered, leastCovered(estimates), 100.0 * median(errors),
         errors.empty() ? 0.0 : 100.0 * *std::ranges::max_element(errors));
+    std::ranges::sort(m_latency_s);
     if (!m_latency_s.empty())
         std::printf(
             "touch to bracelet, %zu touches: median %.1f ms, 99 %% %.1f ms, longest %.1f ms, each +- %.1f "
             "ms; the clocks are one, and the offset was off by %.2f ms at most; target at 99 %%: %.0f ms\n",
-            m_latency_s.size(), 1e3 * median(m_latency_s), 1e3 * quantile(m_latency_s, 0.99),
-            1e3 * quantile(m_latency_s, 1.0), 1e3 * m_bound_s, 1e3 * m_clockError_s, 1e3 * kTarget_s);
+            m_latency_s.size(), 1e3 * median(m_latency_s), 1e3 * core::quantileOf(m_latency_s, 0.99),
+            1e3 * m_latency_s.back(), 1e3 * m_bound_s, 1e3 * m_clockError_s, 1e3 * kTarget_s);
     std::printf(
         "joint samples lost on the link: %llu; presses %llu; at rest %zu times, moved by %.1e rad at most; "
         "touches that the pad did not feel: %d\n",
         static_cast<unsigned long long>(m_lost), static_cast<unsigned long long>(m_presses), m_rests,
         m_movedAtRest_rad, m_notLocated);
     EXPECT_EQ(found, objects);
-    // A touch in which a busy machine held the arm may tell nothing.
+    // A touch may tell nothing, but what is told is right.
     EXPECT_GE(2 * recognised, objects);
+    EXPECT_LE(20 * wrong, objects);
     EXPECT_GE(covered, leastCovered(estimates));
     // Others were told as not reliable, or refused.
-    EXPECT_GE(3 * estimates, touches);
+    EXPECT_GE(2 * estimates, touches);
     EXPECT_GT(m_rests, 0U);
     EXPECT_LT(m_movedAtRest_rad, 1e-3);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What fails, and how soon the arm rests: a robot of Fast DDS and MuJoCo with teleta-site in one namespace, a
-// console and a viewer in another one, 20 ms away. Each row is played TELETA_FAILURE_RUNS times (three), each
+// Failures, and how soon the arm rests: a robot of Fast DDS and MuJoCo with teleta-site in one namespace, a
+// console and a viewer in another one, 20 ms away. Each row is played TELETA_FAILURE_RUNS times (3), each
 // time from the start, and the times are printed beside the bound. The arm turns one joint at 0.3 rad/s. The
 // robot's log tells each 10 ms where the setpoint of its controller is, which rests when it is within 0.1
 // mrad of its end, and where the joint is, which lags behind (1 mrad).

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kYaw = 2;
 constexpr std::size_t kElbow = 3;
 constexpr int kPresses = 2;
-/// Joints of this robot do not yield; the estimate has no more of it than this.
+/// The joints of this robot do not yield.
 constexpr double kRigid_NmPerRad = 1e6;
 constexpr double kFlat_m = 1.0;
 constexpr double kAbove_m = 0.001;
@@ -39,7 +39,7 @@ void describe(core::ArmDescription& arm) {
     arm.forearmLength_m = test::kForearm_m;
     arm.halfThickness_m = test::kHalfThickness_m;
     arm.elbowStiffness_NmPerRad = kRigid_NmPerRad;
-    // A taxel tells a point to a pitch. The pad is flat: its normal is the same everywhere.
+    // A taxel tells where a point is to within a pitch. The pad is flat: a large radius.
     arm.skin = {.centreDistance_m = test::kPad_m,
                 .centreSide_rad = std::numbers::pi,
                 .radius_m = kFlat_m,

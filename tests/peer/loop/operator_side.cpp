@@ -25,9 +25,9 @@ using recording::StreamKind;
 constexpr auto kTick = 5ms;
 /// An arm that does not follow for so long was held.
 constexpr double kHeld_s = 0.5;
-/// After which an arm that brakes rests, over the link.
+/// An arm that was told to brake over the link rests after that.
 constexpr double kRest_s = 0.4;
-/// Way of a command, and of what it does back.
+/// From a command to its effect in the readings.
 constexpr double kLoop_s = 0.1;
 constexpr double kElbowWait_s = 6.0;
 constexpr double kDeceleration_radPerS2 = 3.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // teleta-site with a robot of Fast DDS and MuJoCo at 1 kHz, and a console that moves it, for an hour.
-// TELETA_SOAK_S: seconds in place of the hour. It prints a row a minute.
+// TELETA_SOAK_S sets another time in seconds. It prints a row a minute.
+#include "backend/core/quantile.h"
 #include "robot_fixture.h"
 #include "tests/peer/site/site_process.h"
 
@@ -23,7 +24,7 @@ using test::TestConsole;
 constexpr int kHour_s = 3600;
 constexpr int kLook_s = 2;
 constexpr int kRow_s = 60;
-/// Until all that the programs keep has been kept once; memory is judged afterwards only.
+/// Memory is judged only after the programs have filled their buffers once.
 constexpr int kWarmUp_s = 300;
 constexpr double kGrowth = 0.05;
 constexpr double kPress_radPerS = 0.05;
@@ -37,11 +38,6 @@ double memory_MiB(qint64 process) {
             return std::stod(line.substr(6)) / 1024.0;
     }
     return 0.0;
-}
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 class SiteSoak : public RosArmPeer {
@@ -142,8 +138,8 @@ TEST_F(SiteSoak, anHourAtFullRateIsWithoutFaultAndMemoryIsFlat) {
         const auto warm =
             memory->begin() + static_cast<std::ptrdiff_t>(memory->size()) * kWarmUp_s / duration_s;
         const auto part = (memory->end() - warm) / 3;
-        const double before_MiB = median({warm, warm + part});
-        const double after_MiB = median({memory->end() - part, memory->end()});
+        const double before_MiB = core::medianOf(std::vector<double>(warm, warm + part));
+        const double after_MiB = core::medianOf(std::vector<double>(memory->end() - part, memory->end()));
         std::printf("%s: %.2f MiB after warm-up, %.2f MiB at the end\n",
                     memory == &siteMemory_MiB ? "site" : "console", before_MiB, after_MiB);
         EXPECT_LT(after_MiB, (1.0 + kGrowth) * before_MiB);
