@@ -98,7 +98,11 @@ double median(std::vector<double> values) {
 
 /// So many of n intervals, each of which holds with 95 %, hold at least, but once in a thousand times.
 int leastCovered(int n) {
-    return n == 0 ? 0 : static_cast<int>(quantile(boost::math::binomial(n, 0.95), 0.001));
+    namespace policies = boost::math::policies;
+    using Policy = policies::policy<policies::discrete_quantile<policies::integer_round_up>>;
+    return n == 0 ? 0
+                  : static_cast<int>(
+                        quantile(boost::math::binomial_distribution<double, Policy>(n, 0.95), 0.001));
 }
 
 class ClosedLoop : public test::SiteOverLink {
