@@ -126,7 +126,8 @@ TEST(SourceFilesTest, findPlantedViolations) {
 /// Whether a build without the GUI may leave out the file.
 bool isOfGui(const std::string& path) {
     static constexpr std::array kOfGui{"widgets/",           "app/console/",        "tests/widgets/",
-                                       "tests/app/console/", "tests/peer/console/", "tests/peer/ros/"};
+                                       "tests/app/console/", "tests/peer/console/", "tests/peer/loop/",
+                                       "tests/peer/ros/"};
     return std::ranges::any_of(kOfGui, [&path](const char* folder) { return path.starts_with(folder); });
 }
 
