@@ -14,6 +14,7 @@
 #include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/scene_camera_channel.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/camera/scene_reaction.h"
@@ -258,11 +259,18 @@ core::Expected<Opened> openTaxels(const TaxelsRequest& request, const std::funct
     auto& file = std::get<taxels::TaxelsFile>(described);
     pipeline::ChannelSettings settings = settingsFor(file.touchedFrom(), file.grid.loadUnit());
     settings.conditioning.gain = file.grid.newtonsPerUnit().value_or(1.0);
+    std::optional<pipeline::FrameLoads> loads;
+    if (!file.loads.empty()) {
+        TELETA_TRY(loads, pipeline::FrameLoads::read(file.loads, file.grid.layout(), settings.loadUnit));
+    }
     if (file.restFrames > 0) {
         TELETA_TRY(settings.conditioning.tare, taxels::measureRest(file, cancelled));
     }
     TELETA_TRY(auto source, taxels::TaxelsDevice::open(std::move(file)));
-    return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
+    auto channel = std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
+    if (loads)
+        channel->setLoads(std::move(*loads));
+    return channel;
 }
 
 /// The name of the link, or else nothing.

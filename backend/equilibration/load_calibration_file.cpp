@@ -51,8 +51,19 @@ std::size_t numberOf(std::string_view name, std::vector<std::string>& names) {
     return number;
 }
 
+/// The first ones, if they are many.
+QString signalNames(const std::vector<std::string>& known) {
+    constexpr std::size_t kShown = 24;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(known.size(), kShown); ++i)
+        names << text(known[i]);
+    return names.join(QStringLiteral(", ")) +
+           (known.size() > kShown ? QStringLiteral(" \u2026 ") + text(known.back()) : QString());
+}
+
 core::Expected<Row> rowOf(const core::CsvReader& csv, const std::vector<std::size_t>& columns,
-                          const std::vector<std::string_view>& fields, LoadCalibration& calibration) {
+                          const std::vector<std::string_view>& fields, const std::vector<std::string>& known,
+                          LoadCalibration& calibration) {
     Row row;
     if (std::ranges::find(kLoadColumns, fields[columns[0]]) == kLoadColumns.end())
         return core::failed(core::ErrorKind::badInput,
@@ -61,6 +72,10 @@ core::Expected<Row> rowOf(const core::CsvReader& csv, const std::vector<std::siz
     if (fields[columns[1]].empty())
         return core::failed(core::ErrorKind::badInput, LoadFileText::tr("the signal has no name"), {},
                             csv.place(columns[1]));
+    if (!known.empty() && std::ranges::find(known, fields[columns[1]]) == known.end())
+        return core::failed(core::ErrorKind::badInput,
+                            LoadFileText::tr("the source has no signal \"%1\"").arg(text(fields[columns[1]])),
+                            LoadFileText::tr("one of %1").arg(signalNames(known)), csv.place(columns[1]));
     row.load = numberOf(fields[columns[0]], calibration.loads);
     row.signal = numberOf(fields[columns[1]], calibration.channels);
     for (std::size_t i = 0; i < kNumbers; ++i) {
@@ -126,7 +141,8 @@ core::Expected<KnownPresses> readKnownPresses(const std::string& path,
     return presses;
 }
 
-core::Expected<LoadCalibration> readLoadCalibration(const std::string& path) {
+core::Expected<LoadCalibration> readLoadCalibration(const std::string& path,
+                                                    const std::vector<std::string>& known) {
     TELETA_TRY(auto csv, core::CsvReader::open(path));
     TELETA_TRY(const auto columns, csv.columns(kLoadCalibrationColumns));
     LoadCalibration calibration;
@@ -136,7 +152,7 @@ core::Expected<LoadCalibration> readLoadCalibration(const std::string& path) {
         TELETA_TRY(const bool any, csv.nextText(fields));
         if (!any)
             break;
-        TELETA_TRY(const Row row, rowOf(csv, columns, fields, calibration));
+        TELETA_TRY(const Row row, rowOf(csv, columns, fields, known, calibration));
         for (const Row& other : rows) {
             if (other.load == row.load && other.numbers.back() != row.numbers.back())
                 return core::failed(core::ErrorKind::badInput,

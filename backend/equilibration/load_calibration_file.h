@@ -22,7 +22,9 @@ inline constexpr std::array<std::string_view, 8> kLoadCalibrationColumns{
 /// row for each load and signal. Error: notFound, ioFailed, badInput with line and column: an unknown load, a
 /// pair that is missing or twice, rests or ranges of one signal, or scatters of one load, that differ, least
 /// above greatest, an error or a scatter below 0. Thread: any.
-[[nodiscard]] core::Expected<LoadCalibration> readLoadCalibration(const std::string& path);
+/// known: signals that there are; another one is badInput. Empty: any.
+[[nodiscard]] core::Expected<LoadCalibration> readLoadCalibration(const std::string& path,
+                                                                  const std::vector<std::string>& known = {});
 
 /// Writes one row for each load and signal. Rows: a type with the members of core::CsvWriter.
 template <typename Rows>

@@ -15,7 +15,7 @@ struct RosType {
 };
 
 /// Those of teleta_msgs that have a field a column are made of the columns.
-constexpr std::array<RosType, 16> kTypes{{
+constexpr std::array<RosType, 17> kTypes{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"foxglove_msgs/Log", "uint8 UNKNOWN=0\n"
                           "uint8 DEBUG=1\n"
@@ -70,6 +70,7 @@ constexpr std::array<RosType, 16> kTypes{{
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
     {"std_msgs/MultiArrayLayout", "MultiArrayDimension[] dim\nuint32 data_offset\n"},
+    {"teleta_msgs/Numbers", "std_msgs/Header header\nstring[] name\nfloat64[] value\n"},
     {"teleta_msgs/TactileArray", "std_msgs/Header header\n"
                                  "uint32 rows\n"
                                  "uint32 columns\n"

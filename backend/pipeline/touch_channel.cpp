@@ -4,6 +4,7 @@
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
+#include "backend/recording/stream_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,18 @@ contact::AnalysisSettings analysisOf(const ChannelSettings& settings) {
     return {settings.conditioning, settings.features, settings.segmentation};
 }
 
+core::ChipThermometers* thermometersOf(core::TactileSource& source) {
+    auto* thermometers = dynamic_cast<core::ChipThermometers*>(&source);
+    return thermometers != nullptr && thermometers->chips() > 0 ? thermometers : nullptr;
+}
+
 } // namespace
 
 TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelSettings settings,
                            std::shared_ptr<servo::ServoLink> servo)
     : m_source(std::move(source))
     , m_servo(std::move(servo))
+    , m_thermometers(thermometersOf(*m_source))
     , m_settings(std::move(settings))
     , m_analysis(m_source->description().layout, analysisOf(m_settings))
     , m_samples(kHistorySamples) {
@@ -88,8 +95,11 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
             m_analysis.reset();
         }
         m_recordedFeatures.clear();
+        m_recordedLoads.clear();
         for (std::size_t index = 0; index < m_block.frames(); ++index) {
             processFrame(m_block, index);
+            if (m_loads)
+                findLoads(m_block, index);
             if (isTapped)
                 appendFeatures(m_current.features, m_current.layout.isVector(), m_recordedFeatures);
             if (onFrame)
@@ -104,6 +114,7 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
                               std::span<const float>(m_block.values), m_block.discontinuity);
         frames += m_block.frames();
     }
+    takeTemperatures(taps);
     if (frames > 0) {
         publish();
     } else if (changed && m_block.frames() > 0) {
@@ -138,6 +149,11 @@ std::shared_ptr<const TouchTaps> TouchChannel::tapsInto(recording::StreamSink& s
     auto taps = std::make_shared<TouchTaps>();
     taps->frames = sink.addStream(arrayStream(framesStreamName(name), description(), inUse));
     taps->features = sink.addStream(featureStream(name + "-features", description(), inUse.loadUnit));
+    if (m_thermometers != nullptr)
+        taps->temperatures = sink.addStream(numberStream(
+            name + "-temperatures", description(), recording::temperatureColumns(m_thermometers->chips())));
+    if (m_loads)
+        taps->loads = sink.addStream(numberStream(name + "-loads", description(), m_loads->columns()));
     return taps;
 }
 
@@ -152,12 +168,44 @@ std::optional<recording::RecordingEvent> TouchChannel::takeSettingsEvent() {
     return event;
 }
 
+void TouchChannel::findLoads(const core::SampleBlock& block, std::size_t index) {
+    std::vector<double> features;
+    appendFeatures(m_current.features, m_current.layout.isVector(), features);
+    LoadReading reading{block.time_ns[index], m_loads->names(),
+                        m_loads->at(block.frame(index), m_settings.conditioning.tare, features)};
+    const std::vector<double> values = loadValues(reading.at);
+    m_recordedLoads.insert(m_recordedLoads.end(), values.begin(), values.end());
+    if (index + 1 == block.frames())
+        m_newestLoads.set(std::move(reading));
+}
+
+void TouchChannel::takeTemperatures(std::span<const std::shared_ptr<const TouchTaps>> taps) {
+    if (m_thermometers == nullptr)
+        return;
+    core::BoundedQueue<core::TemperatureSample>& samples = m_thermometers->temperatures();
+    core::TemperatureSample sample;
+    std::vector<double> values;
+    for (std::size_t waiting = samples.size(); waiting > 0 && samples.pop(sample); --waiting) {
+        values.assign(sample.values_degC.begin(), sample.values_degC.end());
+        for (const auto& each : taps)
+            if (each && each->temperatures)
+                each->temperatures->append(sample.time_ns, sample.sourceTime_s,
+                                           std::span<const double>(values));
+        m_drift.take(sample.values_degC);
+    }
+    const bool isTold = m_drift.isTold() && !m_settings.conditioning.tare.empty();
+    m_driftTold.set(isTold ? m_drift.largest() : std::nullopt);
+}
+
 void TouchChannel::tap(const TouchTaps& taps) {
     const std::span<const std::int64_t> time_ns(m_block.time_ns);
     const std::span<const double> sourceTime_s(m_block.sourceTime_s);
     taps.frames->append(time_ns, sourceTime_s, std::span<const float>(m_block.values), m_block.discontinuity);
     taps.features->append(time_ns, sourceTime_s, std::span<const double>(m_recordedFeatures),
                           m_block.discontinuity);
+    if (taps.loads)
+        taps.loads->append(time_ns, sourceTime_s, std::span<const double>(m_recordedLoads),
+                           m_block.discontinuity);
 }
 
 bool TouchChannel::takeCommands() {
@@ -240,6 +288,7 @@ void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t in
                                              ? static_cast<float>(run.sum[taxel] / run.count[taxel])
                                              : std::numeric_limits<float>::quiet_NaN();
     m_tareRun.reset();
+    m_drift.restart();
     applySettings(std::move(tared));
 }
 

@@ -2,13 +2,16 @@
 #pragma once
 
 #include "backend/contact/taxels/frame_analysis.h"
+#include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
 #include "backend/core/device/stream_tap.h"
+#include "backend/core/device/temperature_drift.h"
 #include "backend/core/threads/bounded_queue.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/latest_exchange.h"
 #include "backend/core/threads/mailbox.h"
 #include "backend/pipeline/channel.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "backend/servo/servo_link.h"
 
@@ -17,16 +20,20 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace teleta::pipeline {
 
-/// Where the channel leaves copies of what passes for a recording. All members are set.
+/// Where the channel leaves copies of what passes for a recording.
 struct TouchTaps {
-    std::shared_ptr<core::StreamTap> frames;   ///< raw, float32
-    std::shared_ptr<core::StreamTap> features; ///< as featureValues()
+    std::shared_ptr<core::StreamTap> frames;       ///< raw, float32
+    std::shared_ptr<core::StreamTap> features;     ///< as featureValues()
+    std::shared_ptr<core::StreamTap> temperatures; ///< in degC; null: the array tells none
+    std::shared_ptr<core::StreamTap> loads;        ///< as loadValues(); null: there is no calibration
 };
 
 /// One tactile array in the running system: its source, how its frames are processed, and what views may see
@@ -48,6 +55,8 @@ public:
     ~TouchChannel() override;
 
     [[nodiscard]] const core::SourceDescription& description() const { return m_source->description(); }
+    /// The loads of each frame follow from its signals by this calibration. Before start().
+    void setLoads(FrameLoads loads) { m_loads = std::move(loads); }
     [[nodiscard]] ChannelSummary summary() const override;
     [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }
@@ -81,7 +90,16 @@ public:
         return m_revision.load(std::memory_order_acquire);
     }
 
-    /// Streams NAME-frames and NAME-features.
+    /// The chip that has become warmer or colder by more than TemperatureDrift::kTold_K since the tare was
+    /// taken, most of all; nothing: none has, there is no tare, or the array tells no temperatures.
+    [[nodiscard]] std::optional<core::TemperatureDrift::Move> temperatureDrift() const {
+        return m_driftTold.get();
+    }
+
+    /// The loads of the newest frame; nothing: there is no calibration, or no frame came.
+    [[nodiscard]] std::optional<LoadReading> newestLoads() const { return m_newestLoads.get(); }
+
+    /// Streams NAME-frames and NAME-features; where there are any, NAME-temperatures and NAME-loads.
     void record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) override;
     void watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
                const std::string& name) override;
@@ -118,6 +136,8 @@ private:
     void accumulateTare(const core::SampleBlock& block, std::size_t index);
     void publish();
     void tap(const TouchTaps& taps);
+    void findLoads(const core::SampleBlock& block, std::size_t index);
+    void takeTemperatures(std::span<const std::shared_ptr<const TouchTaps>> taps);
     [[nodiscard]] std::shared_ptr<const TouchTaps>
     tapsInto(recording::StreamSink& sink, const std::string& name, const ChannelSettings& inUse) const;
 
@@ -130,7 +150,8 @@ private:
 
     std::unique_ptr<core::TactileSource> m_source;
     std::shared_ptr<servo::ServoLink> m_servo;
-    ToldSettings m_told; ///< of the viewer
+    core::ChipThermometers* m_thermometers; ///< of the source; null: it tells no temperatures
+    ToldSettings m_told;                    ///< of the viewer
     ChannelSettings m_settings;
     core::LatestCopy<ChannelSettings> m_settingsInUse;
     std::atomic<std::uint64_t> m_revision{0};
@@ -141,9 +162,14 @@ private:
     std::array<core::LatestCopy<std::shared_ptr<const TouchTaps>>, kWatchers> m_watched;
     core::LatestCopy<std::shared_ptr<core::StreamTap>> m_collector;
     std::vector<double> m_recordedFeatures; ///< of the block at hand
+    std::optional<FrameLoads> m_loads;
+    std::vector<double> m_recordedLoads; ///< of the block at hand
+    core::LatestCopy<std::optional<LoadReading>> m_newestLoads;
 
     contact::FrameAnalysis m_analysis;
     std::unique_ptr<TareRun> m_tareRun;
+    core::TemperatureDrift m_drift;
+    core::LatestCopy<std::optional<core::TemperatureDrift::Move>> m_driftTold;
 
     TouchSnapshot m_current;
     core::SampleBlock m_block;

@@ -10,8 +10,8 @@ namespace teleta::recording {
 
 namespace {
 
-constexpr core::Words<StreamKind, 8> kKinds{
-    {"array", "features", "joints", "touches", "camera", "contacts", "tactors", "wrench"}};
+constexpr core::Words<StreamKind, 9> kKinds{
+    {"array", "features", "joints", "touches", "camera", "contacts", "tactors", "wrench", "numbers"}};
 constexpr core::Words<ValueType, 3> kTypes{{"float32", "float64", "grey8"}};
 
 } // namespace

@@ -22,6 +22,7 @@ enum class StreamKind {
     contacts, ///< contacts in them, float64, one frame a contact
     tactors,  ///< what was sent to a bracelet, float32
     wrench,   ///< force and torque as another program measured them, float64
+    numbers,  ///< others of a source, which its columns name, float64
 };
 
 /// How the numbers of a stream are kept; little-endian.

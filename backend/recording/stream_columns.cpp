@@ -122,6 +122,13 @@ const std::vector<Column>& gelContactColumns() {
     return columns;
 }
 
+std::vector<Column> temperatureColumns(std::size_t chips) {
+    std::vector<Column> columns;
+    for (std::size_t chip = 0; chip < chips; ++chip)
+        columns.push_back({"temperature_" + std::to_string(chip) + "_degc", "degC"});
+    return columns;
+}
+
 const std::vector<Column>& wrenchColumns() {
     static const std::vector<Column> columns{{"force_x_n", "N"},    {"force_y_n", "N"},
                                              {"force_z_n", "N"},    {"torque_x_nm", "Nm"},

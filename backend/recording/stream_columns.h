@@ -47,6 +47,9 @@ inline constexpr std::size_t kJointKinds = 3;
 /// The columns of a stream of contacts on a flat gel, in order.
 [[nodiscard]] const std::vector<Column>& gelContactColumns();
 
+/// The columns of a stream with the temperatures of so many chips.
+[[nodiscard]] std::vector<Column> temperatureColumns(std::size_t chips);
+
 /// The columns of a stream of forces and torques, in order.
 [[nodiscard]] const std::vector<Column>& wrenchColumns();
 

@@ -92,6 +92,7 @@ void MagnetometersFile::describeKeys(core::Keys& keys) {
         taxels.format = magnetometerFrames(static_cast<std::size_t>(chips));
     else
         taxels.format = reskinText(static_cast<std::size_t>(chips));
+    taxels.temperatures = static_cast<std::size_t>(chips);
     taxels.grid.setComponents(TaxelGrid::kMostComponents);
     taxels.grid.setUnit("µT");
     taxels.grid.describePositions(keys, static_cast<std::size_t>(chips), Need::required);
@@ -105,6 +106,7 @@ void MagnetometersFile::describeKeys(core::Keys& keys) {
     taxels.restFrames = kRestFrames;
     keys.whole("rest_frames", taxels.restFrames, {1, 10'000},
                "Frames read at opening; their median becomes the tare", Need::optional);
+    taxels.describeLoads(keys);
 }
 
 } // namespace teleta::taxels

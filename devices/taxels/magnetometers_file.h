@@ -16,8 +16,8 @@ inline constexpr int kFewestChips = 1;
 inline constexpr int kMostChips = 64;
 
 /// Skins of magnetometers, AnySkin and ReSkin, as described arrays: the field of each chip in uT, as a
-/// vector, the temperatures as other numbers in degC, at rest the median of 50 frames. Formats: "binary", per
-/// chip four float32 t, x, y, z, then 0D 0A; "reskin_text", per chip x, y, z, t between tabs. Sources:
+/// vector, the temperatures as other numbers, in degC, at rest the median of 50 frames. Formats: "binary",
+/// per chip four float32 t, x, y, z, then 0D 0A; "reskin_text", per chip x, y, z, t between tabs. Sources:
 /// raunaqbhirangi/anyskin at cb13b5b, raunaqbhirangi/reskin_sensor at b82de2a.
 struct MagnetometersFile {
     TaxelsFile taxels;

@@ -21,7 +21,8 @@ using Rest = FrameDecoder::Rest;
 
 constexpr std::int64_t kNoRoom_ns = 2 * kMs_ns; ///< until a full queue is looked at again
 constexpr double kPeriodsUntilLost = 5.0;
-constexpr std::size_t kQueueBlocks = 1024; ///< of datagrams, each is one block
+constexpr std::size_t kQueueBlocks = 1024;       ///< of datagrams, each is one block
+constexpr std::size_t kQueueTemperatures = 4096; ///< 10 s at 400 frames/s
 
 FrameDecoder::Counters sum(FrameDecoder::Counters a, const FrameDecoder::Counters& b) {
     a.frames += b.frames;
@@ -64,6 +65,7 @@ TaxelsDevice::TaxelsDevice(TaxelsFile file, bool isFile)
                                                 : core::staleAfter_ns(m_file.rate_Hz))
     , m_lostAfter_ns(lostAfter_ns(m_file.times, m_file.rate_Hz))
     , m_outlet(kQueueBlocks)
+    , m_temperatures(kQueueTemperatures)
     , m_time(m_file.format)
     , m_values(m_file.grid.layout().values())
     , m_read(ByteLink::kLongestDatagram)
@@ -216,6 +218,11 @@ void TaxelsDevice::appendFrame(const DecodedFrame& frame, core::SampleBlock& blo
     block.time_ns.push_back(m_read_ns);
     block.sourceTime_s.push_back(step.time_s);
     block.values.insert(block.values.end(), m_values.begin(), m_values.end());
+    if (m_file.temperatures > 0)
+        m_temperatures.push(
+            {m_read_ns,
+             step.time_s,
+             {frame.values.end() - static_cast<std::ptrdiff_t>(m_file.temperatures), frame.values.end()}});
 }
 
 void TaxelsDevice::prepare(core::SampleBlock& block) {

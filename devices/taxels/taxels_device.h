@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/backoff.h"
+#include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/error.h"
@@ -39,7 +40,7 @@ struct TaxelsCounters {
 /// Values are in the file's unit; places without a taxel are NaN. A file is played at its rate, or as fast as
 /// its frames are taken. Thread: open, start and stop from one controlling thread, counters from any;
 /// otherwise as core::TactileSource.
-class TaxelsDevice : public core::TactileSource {
+class TaxelsDevice : public core::TactileSource, public core::ChipThermometers {
 public:
     /// Opens the link and sends the greeting. Error: as link::ByteLink::open.
     [[nodiscard]] static core::Expected<std::unique_ptr<TaxelsDevice>> open(TaxelsFile file);
@@ -49,6 +50,11 @@ public:
     void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override { return m_outlet.blocks(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+
+    [[nodiscard]] std::size_t chips() const override { return m_file.temperatures; }
+    [[nodiscard]] core::BoundedQueue<core::TemperatureSample>& temperatures() override {
+        return m_temperatures;
+    }
 
     [[nodiscard]] TaxelsCounters counters() const { return m_published.get(); }
 
@@ -81,6 +87,7 @@ private:
     std::int64_t m_staleAfter_ns;
     std::int64_t m_lostAfter_ns;
     core::SourceOutlet m_outlet;
+    core::BoundedQueue<core::TemperatureSample> m_temperatures;
     core::LatestCopy<TaxelsCounters> m_published;
     link::WakePipe m_wake;
 

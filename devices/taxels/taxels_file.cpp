@@ -120,6 +120,8 @@ core::Expected<TaxelsFile> read(const core::TomlDocument& document, const std::s
         serial->path = core::besideFile(path, serial->path);
     else if (auto* kept = std::get_if<link::FileAddress>(&file.address))
         kept->path = core::besideFile(path, kept->path);
+    if (!file.loads.empty())
+        file.loads = core::besideFile(path, file.loads);
     return file;
 }
 
@@ -137,6 +139,7 @@ void TaxelsFile::describeKeys(core::Keys& keys) {
                 "Load above which a taxel counts as touched; otherwise 0.2 N, if the unit is N");
     keys.whole("rest_frames", restFrames, {0, kMostRestFrames},
                "Frames read at opening; their median becomes the tare; 0: no tare", Need::optional);
+    describeLoads(keys);
     keys.table("link", "How the sensor is reached", Need::required,
                [this](Keys& table) { describeLink(table, *this); });
     keys.table("layout", "Where the taxels are", Need::required,
@@ -153,6 +156,13 @@ void TaxelsFile::describeKeys(core::Keys& keys) {
     });
     if (!threshold && grid.loadUnit() != "N")
         refuseWithoutThreshold(keys);
+}
+
+void TaxelsFile::describeLoads(core::Keys& keys) {
+    keys.text(
+        "loads", loads,
+        "Calibration that `teleta loads fit` has written: each frame has its loads in N with their errors",
+        Need::optional);
 }
 
 double TaxelsFile::touchedFrom() const {

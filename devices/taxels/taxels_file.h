@@ -7,6 +7,7 @@
 #include "devices/taxels/frames/frame_format.h"
 #include "devices/taxels/taxel_grid.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,11 +35,16 @@ struct TaxelsFile {
     std::optional<double> threshold; ///< load from which a taxel counts as touched
     /// Frames at the opening whose median is what the unloaded array reads; 0: it reads nothing.
     int restFrames = 0;
+    /// The last numbers of a frame are so many temperatures of chips, in degC.
+    std::size_t temperatures = 0;
+    std::string loads; ///< file with which loads in N follow from the signals; empty: none
     TaxelsTimes times{};
     FrameFormat format;
     TaxelGrid grid;
 
     void describeKeys(core::Keys& keys);
+    /// The key "loads".
+    void describeLoads(core::Keys& keys);
 
     /// The threshold, or 0.2 N.
     [[nodiscard]] double touchedFrom() const;

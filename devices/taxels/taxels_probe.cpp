@@ -96,6 +96,8 @@ core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimit
                 probe.others.assign(frame.values.begin() + static_cast<std::ptrdiff_t>(file.grid.values()),
                                     frame.values.end());
             }
+            if (file.temperatures > 0)
+                probe.drift.take(std::span(frame.values).last(file.temperatures));
             probe.frames.push_back({sensor.decoder().frameBegin(), sensor.decoder().frameSize()});
         }
         goesOn = goesOn && !(sensor.isFile() && probe.bytes.size() >= limits.bytes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/temperature_drift.h"
 #include "backend/core/error.h"
 #include "devices/taxels/frames/frame_decoder.h"
 #include "devices/taxels/taxels_file.h"
@@ -27,6 +28,7 @@ struct TaxelsProbe {
     std::optional<double> rate_Hz; ///< frames a second; empty: fewer than two, or bytes of a file
     std::vector<float> first;      ///< the grid of the first frame; empty: there was none
     std::vector<float> others;     ///< its other numbers, such as temperatures
+    core::TemperatureDrift drift;  ///< of the chips since the first frame
 };
 
 struct ProbeLimits {

@@ -44,6 +44,7 @@ void XelaFile::describeKeys(core::Keys& keys) {
         "Frames read at opening; their median becomes the tare; otherwise 50 of raw numbers, and none of "
         "forces");
     taxels.restFrames = restFrames.value_or(values == Values::raw ? kRawRestFrames : 0);
+    taxels.describeLoads(keys);
     taxels.grid.setComponents(TaxelGrid::kMostComponents);
     taxels.grid.setUnit(values == Values::calibrated ? "N" : "counts");
     taxels.grid.describeAxes(keys);

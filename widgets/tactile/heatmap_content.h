@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace teleta::tactile {
 
@@ -30,6 +31,12 @@ struct HeatmapZoom {
     QPointF centre;
 };
 
+/// A load of the whole frame in N or N m, by a calibration of the array.
+struct FrameLoad {
+    QString name;  ///< translated
+    QString value; ///< with its standard error and unit, steadied
+};
+
 /// Everything that a heatmap shows: the only input of the painter.
 struct HeatmapContent {
     pipeline::TouchSnapshot snapshot;
@@ -42,9 +49,11 @@ struct HeatmapContent {
     HeatmapZoom zoom;
     std::optional<Taxel> cursor;
     base::Provenance provenance = base::Provenance::live;
-    QString forceText; ///< total force, steadied
-    QString shearText; ///< the total along the surface, likewise; of arrays that tell it
-    QString angleText; ///< principal axis in degrees, steadied
+    QString forceText;            ///< total force, steadied
+    QString shearText;            ///< the total along the surface, likewise; of arrays that tell it
+    QString angleText;            ///< principal axis in degrees, steadied
+    std::vector<FrameLoad> loads; ///< empty: the array has no calibration
+    bool extrapolated = false;    ///< the loads lie beyond the presses of the calibration
     QString emptyText;
 
     [[nodiscard]] bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }

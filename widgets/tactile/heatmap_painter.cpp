@@ -414,6 +414,11 @@ void HeatmapPainter::paintHeader() {
         piece(name, false, nameWidth);
         piece(value, true, valueWidth + 1.2 * m_em);
     };
+    for (const FrameLoad& load : m_content->loads)
+        pair(load.name, load.value, {});
+    if (const QString text = tr("extrapolated", "loads");
+        m_content->extrapolated && x + widthOf(text, false) <= rect.right())
+        piece(text, false, widthOf(text, false) + 1.2 * m_em);
     pair(tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {});
     if (m_content->hasShear() && m_content->shows(Overlay::shear))
         pair(tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {});

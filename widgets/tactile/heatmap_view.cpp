@@ -13,9 +13,11 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QStringList>
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -112,6 +114,39 @@ void HeatmapView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
     update();
 }
 
+void HeatmapView::setLoads(const std::optional<pipeline::LoadReading>& loads) {
+    m_content.loads.clear();
+    m_content.extrapolated = loads && loads->at.extrapolated;
+    static constexpr std::array kNames{QT_TR_NOOP("load"), QT_TR_NOOP("load along x"),
+                                       QT_TR_NOOP("load along y"), QT_TR_NOOP("moment")};
+    static_assert(kNames.size() == equilibration::kLoadColumns.size());
+    constexpr double kMillinewtonmetres = 1e3;
+    for (std::size_t i = 0; loads && i < loads->names.size(); ++i) {
+        const auto known = std::ranges::find(equilibration::kLoadColumns, loads->names[i]);
+        const auto at = static_cast<std::size_t>(known - equilibration::kLoadColumns.begin());
+        if (known == equilibration::kLoadColumns.end())
+            continue;
+        const bool isMoment = *known == "moment_nm";
+        const double scale = isMoment ? kMillinewtonmetres : 1.0;
+        m_loads[at].update(scale * loads->at.loads[static_cast<Eigen::Index>(i)]);
+        m_loadErrors[at].update(scale * loads->at.errors[static_cast<Eigen::Index>(i)]);
+        m_content.loads.push_back(
+            {tr(kNames[at]), base::withUnit(m_loads[at].text() + QStringLiteral(" \u00b1 ") +
+                                                m_loadErrors[at].text().remove(QChar(0x2007)),
+                                            isMoment ? QStringLiteral("mNm") : QStringLiteral("N"))});
+    }
+    update();
+}
+
+QString HeatmapView::loadsText() const {
+    QStringList texts;
+    for (const FrameLoad& load : m_content.loads)
+        texts << load.name + QLatin1Char(' ') + load.value;
+    if (m_content.extrapolated)
+        texts << tr("extrapolated", "loads");
+    return texts.join(QStringLiteral(", "));
+}
+
 void HeatmapView::updateRange() {
     m_content.rangeFixed = m_fixedTop.has_value();
     if (m_content.valid) {
@@ -135,6 +170,8 @@ void HeatmapView::updateRange() {
 
 void HeatmapView::clear() {
     m_content.valid = false;
+    m_content.loads.clear();
+    m_content.extrapolated = false;
     m_content.cursor.reset();
     m_keyboardTaxel.reset();
     update();

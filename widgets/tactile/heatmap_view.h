@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/equilibration/load_calibration.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "widgets/base/figure/figure_view.h"
 #include "widgets/base/numbers/calm_range.h"
@@ -36,6 +38,10 @@ public:
 
     /// Shows a new snapshot. One whose vectors do not fit its layout clears the view.
     void setSnapshot(const pipeline::TouchSnapshot& snapshot);
+    /// The loads that a calibration of the array gives of its frame; nothing: there are none.
+    void setLoads(const std::optional<pipeline::LoadReading>& loads);
+    /// "load 1.23 ± 0.05 N", as they are shown; empty: there are none.
+    [[nodiscard]] QString loadsText() const;
     void clear();
     void setEmptyText(const QString& text);
     void setProvenance(base::Provenance provenance);
@@ -95,6 +101,8 @@ private:
     base::SteadyNumber m_force;
     base::SteadyNumber m_shear;
     base::SteadyNumber m_angle{1.0};
+    std::array<base::SteadyNumber, equilibration::kLoadColumns.size()> m_loads;
+    std::array<base::SteadyNumber, equilibration::kLoadColumns.size()> m_loadErrors;
     std::array<QAction*, kOverlays> m_overlayActions{};
     QPointer<base::InlineEdit> m_rangeEdit;
     std::optional<Taxel> m_keyboardTaxel;

@@ -6,6 +6,7 @@
 #include "app/sources/site_request.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
@@ -16,10 +17,12 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <variant>
@@ -155,6 +158,7 @@ void OperatePage::tick() {
             continue;
         watchFailures(item);
         watchDamage(item);
+        watchTemperature(item);
         if (item.sceneCamera())
             tickSceneCamera(item, now_ns);
         if (&item != m_sources.active())
@@ -209,6 +213,7 @@ void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& 
         return;
     const pipeline::TouchSnapshot& snapshot = array.snapshot();
     m_heatmap->setSnapshot(snapshot);
+    m_heatmap->setLoads(array.newestLoads());
     m_scene->setSnapshot(snapshot);
     ++item.displayed;
     m_latency_s = static_cast<double>(now_ns - snapshot.time_ns) * 1e-9;
@@ -312,6 +317,7 @@ void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance prov
     m_charts->setVectors(array->description().layout.isVector());
     m_settings->setSettings(settings);
     m_settingsRevision = array->settingsRevision();
+    m_heatmap->setLoads(array->newestLoads());
     if (array->generation() > 0) {
         m_heatmap->setSnapshot(array->snapshot());
         m_scene->setSnapshot(array->snapshot());
@@ -445,6 +451,25 @@ void OperatePage::watchDamage(const SourceManager::Item& item) {
                       tr("The recording of %1 is damaged.", "a source").arg(item.name),
                       tr("The blocks that cannot be read are passed over; the others are played."),
                       playback != nullptr ? QString::fromStdString(playback->path) : QString()});
+}
+
+void OperatePage::watchTemperature(const SourceManager::Item& item) {
+    const auto array = item.array();
+    const auto moved = array ? array->temperatureDrift() : std::nullopt;
+    if (!moved) {
+        m_reportedWarm.erase(item.key);
+        return;
+    }
+    if (!m_reportedWarm.insert(item.key).second)
+        return;
+    const QString change =
+        base::withUnit(QLocale().toString(std::abs(moved->change_K), 'f', 1), QStringLiteral("K"));
+    m_messages->post(
+        {chrome::Message::Severity::warning,
+         moved->change_K > 0.0 ? tr("%1 has become warmer since its tare.", "a source").arg(item.name)
+                               : tr("%1 has become colder since its tare.", "a source").arg(item.name),
+         tr("What it reads at rest moves with temperature. Tare it again with nothing touching."),
+         tr("Chip %1: %2").arg(moved->chip).arg(change)});
 }
 
 void OperatePage::onBraceletFailed(const core::Error& error) {

@@ -111,6 +111,8 @@ private:
     void watchFailures(const SourceManager::Item& item);
     /// Reports once what a recording contains that is not played.
     void watchDamage(const SourceManager::Item& item);
+    /// Reports that chips are far from the temperature of their tare, until they are not.
+    void watchTemperature(const SourceManager::Item& item);
     core::PlaybackControl* playback();
     /// Applies a playback command to the other sources of the shown recording.
     template <typename Call>
@@ -142,6 +144,7 @@ private:
     std::optional<double> m_latency_s;
     std::set<pipeline::ChannelKey> m_reportedLost;
     std::set<pipeline::ChannelKey> m_reportedDamaged;
+    std::set<pipeline::ChannelKey> m_reportedWarm;    ///< or cold
     std::set<pipeline::ChannelKey> m_reportedChanged; ///< settings
     pipeline::ChannelKey m_shown = 0;                 ///< whose samples the charts have
     std::map<pipeline::ChannelKey, charts::FeatureHistory> m_keptCharts;

@@ -2,11 +2,13 @@
 #include "backend/mcap/recorded/mcap_import.h"
 
 #include "backend/core/data/array_layout.h"
+#include "backend/core/data/taxel_layout.h"
 #include "backend/core/failure.h"
 #include "backend/mcap/mcap_reader.h"
 #include "backend/mcap/recorded/imported_recording.h"
 #include "backend/mcap/recorded/ros_names.h"
 #include "backend/opencv/opencv_parts.h"
+#include "backend/pipeline/recorded/recorded_layout.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/new_recording.h"
 #include "backend/recording/recording_writer.h"
@@ -50,8 +52,10 @@ constexpr std::string_view kStates = "/joint_states";
 struct TopicState {
     McapImport::Topic report;
     std::optional<TopicRole> role;
-    bool isImageOpen = false; ///< its first message says what it is read as
-    bool isReference = false; ///< of the joints of another topic
+    bool isImageOpen = false;                ///< its first message says what it is read as
+    bool isCloudOpen = false;                ///< its first message says whether it is one of taxels
+    std::optional<core::TaxelLayout> layout; ///< of points, once it is known
+    bool isReference = false;                ///< of the joints of another topic
     TopicState* references = nullptr;
     std::optional<NotedStream> noted;
     std::size_t columns = 0;
@@ -83,6 +87,13 @@ StreamInfo infoOf(TopicRole role, const DecodedMessage& first,
         const pipeline::ChannelSettings settings;
         return pipeline::arrayStream(std::string(), description, settings);
     }
+    case TopicRole::points: {
+        core::SourceDescription description;
+        description.layout = core::TaxelLayout(std::make_shared<const core::TaxelPlaces>(first.points.places),
+                                               first.points.components);
+        description.unit = first.points.components == core::TaxelLayout::kVector ? "N" : "";
+        return pipeline::arrayStream(std::string(), description, pipeline::ChannelSettings());
+    }
     case TopicRole::cameraImage:
     case TopicRole::cameraPicture:
     case TopicRole::colourPicture:
@@ -112,6 +123,11 @@ StreamInfo infoOf(TopicRole role, const DecodedMessage& first,
     case TopicRole::contacts:
         info.kind = StreamKind::contacts;
         info.columns = columns;
+        break;
+    case TopicRole::numbers:
+        info.kind = StreamKind::numbers;
+        for (const std::string& name : first.names)
+            info.columns.push_back({name, {}});
         break;
     case TopicRole::event:
         return info;
@@ -147,6 +163,7 @@ public:
             const bool isWanted = wanted != options.topics.end();
             topic.role = roleOf(channel, schema, isWanted ? std::optional(wanted->second) : std::nullopt);
             topic.isImageOpen = topic.role == TopicRole::arrayImage && !isWanted;
+            topic.isCloudOpen = topic.role == TopicRole::points;
             if (isWanted && !topic.role)
                 return core::failed(core::ErrorKind::refused,
                                     McapImportText::tr("%1 is of the type %2 and cannot be read as %3")
@@ -247,12 +264,14 @@ private:
                 if (isRepeat)
                     topic.role.reset();
                 topic.isImageOpen = false;
+                topic.isCloudOpen = false;
                 if (topic.role == TopicRole::cameraPicture && recording::isColour(noted.info))
                     topic.role = TopicRole::colourPicture;
                 topic.noted = noted;
                 topic.stream = i;
                 topic.info = noted.info;
                 topic.columns = noted.info.channels();
+                topic.layout = pipeline::layoutOf(noted.info);
                 if (topic.role)
                     topic.report.stream = noted.info.name;
             }
@@ -288,8 +307,13 @@ private:
             return;
         if (std::exchange(topic.isImageOpen, false))
             topic.role = imageRoleOf(message.data);
+        if (std::exchange(topic.isCloudOpen, false) && !hasTaxelPoints(message.data)) {
+            topic.role.reset(); // as of a depth camera
+            return;
+        }
         if (message.log_ns > kLast_ns ||
-            !decodeMessage(*topic.role, message.data, topic.columns, m_decoded)) {
+            !decodeMessage(*topic.role, message.data, topic.columns, m_decoded) ||
+            (topic.role == TopicRole::points && !placePoints(topic))) {
             ++topic.report.bad;
             return;
         }
@@ -308,6 +332,20 @@ private:
         } else {
             takeFrames(topic, time_ns, sourceTime_s);
         }
+    }
+
+    /// Brings points into the order of their layout, which the first ones make where no note has it.
+    bool placePoints(TopicState& topic) {
+        const std::vector<core::TaxelPlace>& places = m_decoded.points.places;
+        if (!topic.layout) {
+            if (places.size() > core::TaxelPlaces::kMost || core::TaxelPlaces::sameOf(places))
+                return false;
+            topic.layout = core::TaxelLayout(std::make_shared<const core::TaxelPlaces>(places),
+                                             m_decoded.points.components);
+        }
+        m_decoded.floats = valuesOn(*topic.layout, m_decoded.points);
+        m_decoded.shape = pipeline::shapeOf(*topic.layout);
+        return !m_decoded.floats.empty();
     }
 
     void takeSample(TopicState& topic, std::int64_t time_ns, double sourceTime_s) {

@@ -227,6 +227,18 @@ bool decodeTactors(CdrReader& cdr, DecodedMessage& decoded) {
     return !cdr.failed();
 }
 
+bool decodeNumbers(CdrReader& cdr, DecodedMessage& decoded) {
+    if (!readHeader(cdr, decoded))
+        return false;
+    constexpr std::size_t kNameBytes = 4;
+    const std::size_t names = cdr.count(kNameBytes);
+    for (std::size_t i = 0; i < names && !cdr.failed(); ++i)
+        decoded.names.emplace_back(cdr.text());
+    cdr.sequence(decoded.doubles);
+    decoded.shape = {decoded.doubles.size()};
+    return !cdr.failed() && names > 0 && decoded.doubles.size() == names;
+}
+
 bool decodeEvent(CdrReader& cdr, DecodedMessage& decoded) {
     if (!readStamp(cdr, decoded))
         return false;
@@ -274,6 +286,8 @@ std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
         return ifFits(TopicRole::tactileArray, TopicKind::array);
     if (type == "std_msgs/msg/Float32MultiArray")
         return ifFits(TopicRole::multiArray, TopicKind::array);
+    if (type == "sensor_msgs/msg/PointCloud2")
+        return ifFits(TopicRole::points, TopicKind::array);
     if (type == "geometry_msgs/msg/WrenchStamped")
         return unlessWanted(TopicRole::wrench);
     if (type.starts_with("teleta_msgs/msg/TactileFeatures")) // of other units and with shear, too
@@ -284,9 +298,17 @@ std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
         return unlessWanted(TopicRole::contacts);
     if (type == "teleta_msgs/msg/Tactors")
         return unlessWanted(TopicRole::tactors);
+    if (type == "teleta_msgs/msg/Numbers")
+        return unlessWanted(TopicRole::numbers);
     if (type == "foxglove_msgs/msg/Log")
         return unlessWanted(TopicRole::event);
     return std::nullopt;
+}
+
+bool hasTaxelPoints(std::string_view message) {
+    CdrReader cdr(message);
+    DecodedMessage decoded;
+    return readHeader(cdr, decoded) && readPoints(cdr, decoded.points);
 }
 
 TopicRole imageRoleOf(std::string_view message) {
@@ -313,6 +335,8 @@ bool decodeMessage(TopicRole role, std::string_view message, std::size_t columns
         return decodeTactileArray(cdr, decoded);
     case TopicRole::multiArray:
         return decodeMultiArray(cdr, decoded);
+    case TopicRole::points:
+        return readHeader(cdr, decoded) && readPoints(cdr, decoded.points);
     case TopicRole::joints:
         return decodeJoints(cdr, decoded);
     case TopicRole::wrench:
@@ -323,6 +347,8 @@ bool decodeMessage(TopicRole role, std::string_view message, std::size_t columns
         return decodeColumns(role, cdr, columns, decoded);
     case TopicRole::tactors:
         return decodeTactors(cdr, decoded);
+    case TopicRole::numbers:
+        return decodeNumbers(cdr, decoded);
     case TopicRole::event:
         return decodeEvent(cdr, decoded);
     }

@@ -3,6 +3,7 @@
 
 #include "backend/core/device/camera_source.h"
 #include "backend/mcap/mcap_types.h"
+#include "backend/mcap/recorded/point_cloud.h"
 #include "backend/recording/recording_types.h"
 
 #include <cstddef>
@@ -23,12 +24,14 @@ enum class TopicRole {
     colourPicture, ///< the same, of a stream in colour
     tactileArray,
     multiArray, ///< std_msgs/Float32MultiArray of two dimensions
+    points,     ///< sensor_msgs/PointCloud2 of taxels
     joints,     ///< sensor_msgs/JointState
     wrench,     ///< geometry_msgs/WrenchStamped
     features,
     touch,
     contacts,
     tactors,
+    numbers,
     event, ///< foxglove_msgs/Log
 };
 
@@ -43,6 +46,9 @@ enum class TopicKind { array, camera, joints };
 [[nodiscard]] std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
                                               std::optional<TopicKind> wanted);
 
+/// Whether a PointCloud2 is one of taxels by its first message. Thread: any (pure).
+[[nodiscard]] bool hasTaxelPoints(std::string_view message);
+
 /// What an Image is read as by its first message: pictures of 8 bits are a camera's. Thread: any (pure).
 [[nodiscard]] TopicRole imageRoleOf(std::string_view message);
 
@@ -53,6 +59,8 @@ struct DecodedMessage {
     std::vector<float> floats;            ///< of an array and of tactors
     std::vector<double> doubles;          ///< of the others; several frames of contacts
     std::size_t frames = 1;
+    std::vector<std::string> names; ///< of the values of numbers
+    TaxelPoints points;             ///< of a point cloud, whose shape and floats follow from a layout
     core::GreyImage image;
     double pitch_m = 0.0;            ///< 0: not known
     std::string unit;                ///< of an array

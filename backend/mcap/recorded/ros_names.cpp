@@ -73,6 +73,7 @@ std::vector<RosNames> rosNames(std::span<const StreamInfo> streams) {
         case StreamKind::array:
             names[i].frame = names[i].topic;
             break;
+        case StreamKind::numbers:
         case StreamKind::features: {
             const std::size_t array = sourceOf(stream, StreamKind::array);
             names[i].frame = array < streams.size() ? names[array].topic : names[i].topic;

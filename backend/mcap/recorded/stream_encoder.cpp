@@ -235,6 +235,10 @@ void StreamEncoder::describe() {
         if (isDouble && m_stream.channels() == recording::wrenchColumns().size())
             add(Message::wrench, "wrench", "geometry_msgs/WrenchStamped");
         return;
+    case StreamKind::numbers:
+        if (isDouble && !m_stream.columns.empty() && m_stream.columns.size() == m_stream.channels())
+            add(Message::numbers, "numbers", "teleta_msgs/Numbers");
+        return;
     }
 }
 
@@ -322,6 +326,12 @@ void StreamEncoder::encode(std::size_t topic, const TappedFrames& block, std::si
         break;
     case Message::wrench:
         cdr.array(doubles(frame));
+        break;
+    case Message::numbers:
+        cdr.number(static_cast<std::uint32_t>(m_stream.columns.size()));
+        for (const Column& column : m_stream.columns)
+            cdr.text(column.name);
+        cdr.sequence(doubles(frame));
         break;
     }
 }

@@ -36,6 +36,7 @@ struct TopicType {
 ///   camera         /NAME/image/compressed    sensor_msgs/msg/CompressedImage, png, 8 bits, grey or colour
 ///   tactors        /NAME/tactors      teleta_msgs/msg/Tactors
 ///   wrench         /NAME/wrench       geometry_msgs/msg/WrenchStamped
+///   numbers        /NAME/numbers      teleta_msgs/msg/Numbers, with the names of the columns
 /// Thread: one.
 class StreamEncoder {
 public:
@@ -66,6 +67,7 @@ private:
         picture,
         tactors,
         wrench,
+        numbers,
     };
 
     void add(Message message, const char* topic, std::string_view type, std::string text = {});

@@ -226,6 +226,18 @@ std::array<double, kWrenchValues> wrenchValues(const core::WrenchSample& sample)
     return {x_N, y_N, z_N, x_Nm, y_Nm, z_Nm};
 }
 
+recording::StreamInfo numberStream(const std::string& name, const core::SourceDescription& description,
+                                   std::vector<recording::Column> columns) {
+    return {.name = name,
+            .kind = recording::StreamKind::numbers,
+            .type = recording::ValueType::float64,
+            .source = description.name,
+            .shape = {columns.size()},
+            .columns = std::move(columns),
+            .nominalRate_Hz = description.nominalRate_Hz,
+            .details = ordered_json{{"simulated", description.simulated}}.dump()};
+}
+
 recording::StreamInfo touchStream(const std::string& name, const core::ArmDescription& description) {
     return {.name = name,
             .kind = recording::StreamKind::touches,

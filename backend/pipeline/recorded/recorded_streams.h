@@ -62,6 +62,10 @@ inline constexpr std::size_t kWrenchValues = 6;
                                                  const arm_model::SerialChain* chain);
 /// A frame of such a stream.
 [[nodiscard]] std::array<double, kWrenchValues> wrenchValues(const core::WrenchSample& sample);
+/// Numbers that an array tells or that follow from it, one frame each; columns: their names and units.
+[[nodiscard]] recording::StreamInfo numberStream(const std::string& name,
+                                                 const core::SourceDescription& description,
+                                                 std::vector<recording::Column> columns);
 /// Touches of an arm.
 [[nodiscard]] recording::StreamInfo touchStream(const std::string& name,
                                                 const core::ArmDescription& description);

@@ -56,6 +56,30 @@ TEST(DevicesCommandPeer, readsTheInputsAndMeasuresTheRates) {
     EXPECT_NE(table.out.find("12.5 V"), std::string::npos) << table.out;
 }
 
+TEST(DevicesCommandPeer, warnsOfMagnetometersThatAreWarmingUp) {
+    TemporaryFolder folder;
+    const std::string file =
+        folder.write("skin.toml", "kind = 'magnetometers'\nname = 'skin'\npath = 'port'\nchips = 5\n"
+                                  "format = 'binary'\nthreshold_uT = 40.0\n"
+                                  "positions_mm = [[0, 0], [7, 0], [-7, 0], [0, 7], [0, -7]]\n");
+    for (const bool warms : {false, true}) {
+        teleta::taxels::test::Board board("pty", "skin", folder.path("port"));
+        // Again and again: what came before the port was opened is not read.
+        std::string line = "write";
+        for (int i = 0; i < 8; ++i)
+            line += warms ? " pause:400 0-9 416" : " pause:400 0-9 16";
+        board.say(line);
+        const ProgramResult result = teleta::test::run({"devices", "--probe", file, "--json"});
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        const ordered_json device = ordered_json::parse(result.out, nullptr, false)["devices"][0];
+        EXPECT_EQ(device["values"][4],
+                  ordered_json::parse(R"({"name":"temperature_4","value":25.0,"unit":"degC"})"));
+        EXPECT_EQ(device["values"][5]["name"], "temperature_change");
+        EXPECT_EQ(device["values"][5]["value"], warms ? 6.5 : 0.25);
+        EXPECT_EQ(device.contains("warning"), warms) << device.dump();
+    }
+}
+
 TEST(DevicesCommandPeer, showsWhatADescribedArraySends) {
     TemporaryFolder folder;
     const std::string file = folder.write(

@@ -7,12 +7,16 @@
 #include "backend/mcap/recorded/picture_decoder.h"
 #include "backend/mcap/recorded/png_encoder.h"
 #include "backend/mcap/ros_schemas.h"
+#include "backend/pipeline/recorded/recorded_layout.h"
 #include "backend/recording/recording_writer.h"
 #include "backend/recording/stream_columns.h"
 #include "tests/backend/recording/recorded_files.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -113,14 +117,22 @@ protected:
         StreamInfo tactors = test::arrayInfo("bracelet");
         tactors.kind = StreamKind::tactors;
         tactors.shape = {6};
+        StreamInfo vectors = test::arrayInfo("vectors");
+        vectors.shape = {3, 3};
+        vectors.columns.clear();
+        for (const char* name : {"t0_x", "t0_y", "t0_z", "t1_x", "t1_y", "t1_z", "t2_x", "t2_y", "t2_z"})
+            vectors.columns.push_back({name, vectors.unit});
+        vectors.details = R"({"components":3,"positions_m":[[0,0,0],[0.004,0.001,0],[0.009,0,0.002]]})";
         const StreamInfo all[] = {array,
+                                  vectors,
                                   streamOf("features", StreamKind::features, recording::featureColumns()),
                                   recording::jointStream(1000.0, 4),
                                   streamOf("touches", StreamKind::touches, recording::touchColumns()),
                                   camera,
                                   contacts,
                                   tactors,
-                                  streamOf("wrench", StreamKind::wrench, recording::wrenchColumns())};
+                                  streamOf("wrench", StreamKind::wrench, recording::wrenchColumns()),
+                                  streamOf("chips", StreamKind::numbers, recording::temperatureColumns(5))};
         std::size_t number = 0;
         for (const StreamInfo& info : all) {
             EXPECT_TRUE(writer.addStream(info));
@@ -260,6 +272,34 @@ void image(std::string& bytes, std::uint32_t rows, std::uint32_t columns, const 
     cdr.byteSequence({reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(Pixel)});
 }
 
+/// Points of doubles, big-endian within, with one field more than is read.
+void points(std::string& bytes, const std::vector<std::string>& names, const std::vector<double>& numbers) {
+    CdrWriter cdr(bytes);
+    header(cdr);
+    const auto step = static_cast<std::uint32_t>(names.size() * sizeof(double));
+    const auto width = static_cast<std::uint32_t>(numbers.size() / names.size());
+    cdr.number(std::uint32_t{1});
+    cdr.number(width);
+    cdr.number(static_cast<std::uint32_t>(names.size()));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        cdr.text(names[i]);
+        cdr.number(static_cast<std::uint32_t>(i * sizeof(double)));
+        cdr.number(std::uint8_t{8}); // FLOAT64
+        cdr.number(std::uint32_t{1});
+    }
+    cdr.number(std::uint8_t{1}); // is_bigendian
+    cdr.number(step);
+    cdr.number(step * width);
+    std::string data;
+    for (const double number : numbers) {
+        std::array<char, sizeof(double)> copy = std::bit_cast<std::array<char, sizeof(double)>>(number);
+        std::ranges::reverse(copy);
+        data.append(copy.data(), copy.size());
+    }
+    cdr.byteSequence({data.data(), data.size()});
+    cdr.number(std::uint8_t{1});
+}
+
 } // namespace
 
 TEST_F(McapRecording, importOfAnExportGivesBackEveryValueAndTime) {
@@ -397,6 +437,54 @@ TEST_F(McapRecording, anImageOfFloatsIsAnArray) {
     const auto& anchor = recording->anchors().at(0);
     EXPECT_EQ(frames.time_ns[7] - anchor.time_ns + anchor.utc.toMSecsSinceEpoch() * 1'000'000,
               static_cast<std::int64_t>(kLog_ns) + 7 * 5'000'001);
+}
+
+TEST_F(McapRecording, pointsWithForcesAreAnArrayOfVectorsWhereTheyStand) {
+    const auto recording =
+        importedFrom(foreign("sensor_msgs/msg/PointCloud2", "/skin", 4, [](int i, std::string& bytes) {
+            points(bytes, {"force_z", "x", "y", "z", "intensity", "force_x", "force_y"},
+                   {-1.5, 0.0, 0.0, 0.0, 9.0, 0.25, 0.5, -static_cast<double>(i), 0.004, 0.001, 0.0, 9.0, 0.0,
+                    0.0});
+        }));
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    ASSERT_EQ(recording->streams().size(), 1U);
+    const StreamInfo& stream = recording->streams()[0];
+    EXPECT_EQ(stream.kind, StreamKind::array);
+    EXPECT_EQ(stream.shape, (std::vector<std::size_t>{2, 3}));
+    EXPECT_EQ(stream.unit, "N");
+    const auto layout = pipeline::layoutOf(stream);
+    ASSERT_TRUE(layout);
+    EXPECT_FALSE(layout->isGrid());
+    EXPECT_NEAR(layout->x_m(1), 0.004, 1e-12);
+    const test::ReadFrames frames = test::readAllFrames(recording->reader(0));
+    ASSERT_EQ(frames.time_ns.size(), 4U);
+    EXPECT_EQ(frames.values[0], 0.25F);
+    EXPECT_EQ(frames.values[2], -1.5F);
+    EXPECT_EQ(frames.values[3 * 6 + 5], -3.0F);
+}
+
+TEST_F(McapRecording, pointsOfADepthCameraAndDamagedOnesAreNoArray) {
+    const auto depth =
+        importedFrom(foreign("sensor_msgs/msg/PointCloud2", "/depth", 3, [](int, std::string& bytes) {
+            points(bytes, {"x", "y", "z", "intensity"}, {0.0, 0.0, 1.0, 3.0});
+        }));
+    ASSERT_TRUE(depth) << core::describe(depth.error());
+    EXPECT_TRUE(depth->streams().empty());
+    EXPECT_EQ(m_report->topics.at(0).messages, 0U);
+    const auto other =
+        importedFrom(foreign("sensor_msgs/msg/PointCloud2", "/skin", 5, [](int i, std::string& bytes) {
+            std::vector<double> numbers{0.0, 0.0, 0.0, 1.0};
+            if (i == 1)
+                numbers.insert(numbers.end(), {1.0, 0.0, 0.0, 1.0}); // another number of points
+            if (i == 2)
+                numbers[0] = std::numeric_limits<double>::infinity();
+            points(bytes, {"x", "y", "z", "value"}, numbers);
+            if (i == 3)
+                bytes.resize(bytes.size() - 20);
+        }));
+    ASSERT_TRUE(other) << core::describe(other.error());
+    EXPECT_EQ(m_report->topics.at(0).messages, 2U);
+    EXPECT_EQ(m_report->topics.at(0).bad, 3U);
 }
 
 TEST_F(McapRecording, plainGreyImagesAreACameraUnlessAPersonSaysOtherwise) {

@@ -49,6 +49,7 @@ TEST(RosSchemas, fieldsAreFoundAmongConstantsAndRemarks) {
 
 TEST(RosSchemas, theInstalledMessagesAreThoseOfTheFiles) {
     EXPECT_EQ(installed("TactileArray"), mcap::rosDefinition("teleta_msgs/TactileArray"));
+    EXPECT_EQ(installed("Numbers"), mcap::rosDefinition("teleta_msgs/Numbers"));
     EXPECT_EQ(installed("Tactors"), mcap::rosDefinition("teleta_msgs/Tactors"));
     EXPECT_EQ(installed("TactileFeatures"), mcap::featuresDefinition(recording::featureColumns()));
     EXPECT_EQ(installed("Touch"), mcap::touchDefinition(recording::touchColumns()));

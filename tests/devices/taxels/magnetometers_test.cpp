@@ -108,6 +108,46 @@ TEST(Magnetometers, giveWholeFramesBetweenCutNoisyAndDoubledOnesAndAfterTheyWere
     EXPECT_EQ(both[0], both[1]) << "a described AnySkin gives what the driver gives";
 }
 
+/// The board's chips warm up by 1 K in 64 frames, from 25 degC.
+TEST(Magnetometers, tellTheTemperaturesOfTheirChips) {
+    teleta::test::TemporaryFolder folder;
+    for (const char* format : {"binary", "reskin_text"}) {
+        const std::string port = folder.path(format);
+        Board board("pty", std::string(format) == "binary" ? "skin" : "skintext", port);
+        auto device = TaxelsDevice::open(test::parsed(skinOn(port, format)));
+        ASSERT_TRUE(device) << core::describe(device.error());
+        EXPECT_EQ((*device)->chips(), 5U);
+        core::Wakeup wakeup;
+        (*device)->start(wakeup);
+        board.say("write 0-63 cut:64 noise:0A 65-80");
+        (void)receive(**device, wakeup, 79);
+        std::vector<float> found;
+        core::TemperatureSample sample;
+        while ((*device)->temperatures().pop(sample)) {
+            ASSERT_EQ(sample.values_degC.size(), 5U);
+            EXPECT_GT(sample.time_ns, 0);
+            found.push_back(sample.values_degC[4]);
+        }
+        const std::size_t first = std::string(format) == "binary" ? 0 : 1; // the first line may be cut
+        ASSERT_GE(found.size(), 79U);
+        EXPECT_EQ(found.front(), 25.0F + static_cast<float>(first) / 64);
+        EXPECT_EQ(found.back(), 25.0F + 80.0F / 64);
+    }
+}
+
+TEST(Magnetometers, areTakenForWarmedWhenTheirChipsMovedWhileTheyWereProbed) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skin", folder.path("port"));
+    const TaxelsFile file = test::parsed(skinOn(folder.path("port")));
+    board.say("write pause:100 0-3 352");
+    const auto probe = probeTaxels(file, {.wait_s = 20.0, .measure_s = 0.3});
+    ASSERT_TRUE(probe) << core::describe(probe.error());
+    ASSERT_EQ(probe->frames.size(), 5U);
+    ASSERT_TRUE(probe->drift.largest());
+    EXPECT_DOUBLE_EQ(probe->drift.largest()->change_K, 352.0 / 64);
+    EXPECT_TRUE(probe->drift.isTold());
+}
+
 TEST(Magnetometers, takeTheMedianOfFiftyFramesForTheirRest) {
     teleta::test::TemporaryFolder folder;
     Board board("pty", "skin", folder.path("port"));

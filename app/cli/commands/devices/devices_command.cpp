@@ -266,6 +266,15 @@ core::Expected<FoundDevice> probeStream(const std::string& path, const std::stri
     for (std::size_t i = 0; i < probe->others.size(); ++i)
         found.values.push_back(
             {"temperature_" + std::to_string(i), static_cast<double>(probe->others[i]), "degC"});
+    if (const auto& moved = probe->drift.largest())
+        found.values.push_back({"temperature_change", moved->change_K, "K"});
+    if (probe->drift.isTold())
+        found.warning =
+            DevicesText::tr("chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at "
+                            "rest moves with it. Wait until it is warm")
+                .arg(probe->drift.largest()->chip)
+                .arg(forPeople(probe->drift.largest()->change_K))
+                .toStdString();
     found.stream.emplace(TaxelsReport{std::move(*probe), file.grid.layout(), file.grid.unit()});
     return found;
 }
@@ -319,6 +328,8 @@ nlohmann::ordered_json toJson(const FoundDevice& device) {
                                 {"frame_rate_hz", orNull(device.frameRate_Hz)},
                                 {"input_rate_hz", orNull(device.inputRate_Hz)},
                                 {"values", std::move(values)}};
+    if (!device.warning.empty())
+        json["warning"] = device.warning;
     if (device.stream)
         json["stream"] = toJson(*device.stream);
     return json;
@@ -369,6 +380,8 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
                                 DevicesText::tr("up to %1 Hz").arg(forPeople(*device.inputRate_Hz)));
         for (const DeviceValue& value : device.values)
             fields.emplace_back(QString::fromStdString(value.name), withUnit(value));
+        if (!device.warning.empty())
+            fields.emplace_back(DevicesText::tr("Warning"), QString::fromStdString(device.warning));
         if (device.stream)
             addFields(*device.stream, fields);
     }

@@ -28,6 +28,7 @@ struct FoundDevice {
     std::optional<double> frameRate_Hz{}; ///< frames of the motors, the array or the camera a second
     std::optional<double> inputRate_Hz{}; ///< readings of all inputs a second
     std::vector<DeviceValue> values{};
+    std::string warning{};                ///< translated; empty: none
     std::optional<TaxelsReport> stream{}; ///< of a described array
 };
 

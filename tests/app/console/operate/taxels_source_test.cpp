@@ -25,11 +25,12 @@ class TaxelsSource : public testing::Test {
 protected:
     core::Expected<std::shared_ptr<pipeline::TouchChannel>> open() {
         m_folder.write("bytes.csv", "0,0,0,0,0\n0,0,0,0,0\n9,1,1,1,1\n");
-        const std::string path = m_folder.write(
-            "cross.toml", "kind = 'taxels'\nname = 'cross'\nthreshold = 0.5\n[link]\ntype = 'file'\n"
-                          "path = 'bytes.csv'\n[layout]\nunit = 'mT'\n"
-                          "positions_mm = [[0, 0], [4, 0], [-4, 0], [0, 4], [0, -4]]\n"
-                          "[frame]\nencoding = 'csv'\ncolumns = '1..5'\nskip = 0\n");
+        const std::string path =
+            m_folder.write("cross.toml", "kind = 'taxels'\nname = 'cross'\nthreshold = 0.5\n" + m_loads +
+                                             "[link]\ntype = 'file'\n"
+                                             "path = 'bytes.csv'\n[layout]\nunit = 'mT'\n"
+                                             "positions_mm = [[0, 0], [4, 0], [-4, 0], [0, 4], [0, -4]]\n"
+                                             "[frame]\nencoding = 'csv'\ncolumns = '1..5'\nskip = 0\n");
         return app::makeSourceFactory(app::TaxelsRequest{path}, m_stop)().map(
             [](const std::shared_ptr<pipeline::Channel>& channel) {
                 return std::dynamic_pointer_cast<pipeline::TouchChannel>(channel);
@@ -55,6 +56,7 @@ protected:
 
     teleta::test::TemporaryFolder m_folder;
     core::StopSwitch m_stop;
+    std::string m_loads; ///< a line of the description
 };
 
 TEST_F(TaxelsSource, isShownRecordedAndFoundInItsRecordingInItsOwnUnit) {
@@ -161,6 +163,39 @@ TEST_F(TaxelsSource, vectorsOffAGridAreShownRecordedExportedAndPlayed) {
     again.stop();
     ASSERT_TRUE(again.update());
     expectPressed(again.snapshot());
+}
+
+TEST_F(TaxelsSource, hasItsLoadsInNewtonsByTheFileThatItsDescriptionNames) {
+    m_loads = "loads = 'newtons.csv'\n";
+    m_folder.write("newtons.csv", "load,signal,gain,gain_se,rest,least,greatest,scatter\n"
+                                  "force_n,force_mt,0.5,0.01,0,0,10,0.02\n"
+                                  "force_n,t4,0.25,0,0,0,10,0.02\n");
+    const auto opened = open();
+    ASSERT_TRUE(opened) << core::describe(opened.error());
+    core::Wakeup data;
+    ASSERT_NO_FATAL_FAILURE(record(**opened, data, m_folder.path("run.teleta"), 3));
+    const auto found = (*opened)->newestLoads();
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->at.loads[0], 0.5 * 13 + 0.25 * 9, 1e-6);
+    EXPECT_NEAR(found->at.errors[0], std::hypot(0.02, 0.01 * 13), 1e-6);
+    EXPECT_TRUE(found->at.extrapolated) << "13 mT is beyond 10";
+    const auto recording = recording::Recording::open(m_folder.path("run.teleta"));
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    ASSERT_EQ(recording->streams().size(), 3U);
+    EXPECT_EQ(recording->streams()[2].name, "skin-loads");
+}
+
+TEST_F(TaxelsSource, refusesLoadsThatDoNotFit) {
+    m_loads = "loads = 'newtons.csv'\n";
+    EXPECT_EQ(open().error().kind, core::ErrorKind::notFound);
+    const std::string path =
+        m_folder.write("newtons.csv", "load,signal,gain,gain_se,rest,least,greatest,scatter\n"
+                                      "force_n,force_n,0.5,0.01,0,0,10,0.02\n");
+    const auto opened = open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().where.file, path);
+    EXPECT_EQ(opened.error().where.line, 2);
+    EXPECT_NE(opened.error().expected.find("force_mt"), std::string::npos) << opened.error().expected;
 }
 
 TEST_F(TaxelsSource, saysWhereItsDescriptionIsWrong) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace teleta::core {
+
+/// How far the chips of an array have moved from the temperatures at which its tare was taken: what they read
+/// at rest moves with temperature. Thread: one (pure).
+class TemperatureDrift {
+public:
+    static constexpr double kTold_K = 5.0; ///< a move of more than this is told,
+    static constexpr double kOver_K = 4.0; ///< until no chip has moved so far any more
+
+    struct Move {
+        std::size_t chip = 0; ///< from 0
+        double change_K = 0.0;
+    };
+
+    /// The next temperatures are those of the tare.
+    void restart();
+    /// Temperatures in degrees Celsius, one a chip. One that is not finite says nothing of its chip.
+    void take(std::span<const float> values_degC);
+
+    /// Of the chip that has moved most; nothing before the second temperatures since the tare.
+    [[nodiscard]] const std::optional<Move>& largest() const { return m_largest; }
+    [[nodiscard]] bool isTold() const { return m_told; }
+
+private:
+    std::vector<float> m_atTare;
+    std::optional<Move> m_largest;
+    bool m_told = false;
+};
+
+} // namespace teleta::core

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/console/operate/operate_bench.h"
+#include "tests/support/peer_process.h"
+#include "widgets/chrome/message_bar.h"
+#include "widgets/tactile/heatmap_view.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <string>
+
+using namespace teleta;
+
+/// A skin of magnetometers, played by the board in Python, on the Operate page.
+class SkinViewsTest : public test::OperateBench {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    test::PeerProcess m_board;
+
+    std::string write(const char* name, const std::string& text) {
+        QFile file(m_folder.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text.c_str()) < 0)
+            qFatal("cannot write %s", name);
+        return file.fileName().toStdString();
+    }
+
+private slots:
+    void init() { makePage(); }
+    void cleanup() { closePage(); }
+
+    /// The board's chips warm up by 1 K in 64 frames, and the field at each falls by 1/8 uT a frame.
+    void itsLoadsAreShownInNewtonsAndItIsToldThatItHasWarmedUp() {
+        m_board.start(QStringLiteral("/usr/bin/python3"),
+                      {QStringLiteral(TELETA_SOURCE_DIR "/tests/peer/taxels/board.py"), QStringLiteral("pty"),
+                       QStringLiteral("skin"), m_folder.filePath("port")});
+        QVERIFY2(m_board.waitFor("ready ").has_value(), m_board.errors().c_str());
+        write("newtons.csv", "load,signal,gain,gain_se,rest,least,greatest,scatter\n"
+                             "force_n,t4_z,-0.01,0.001,0,-30,30,0.05\n");
+        const std::string path =
+            write("skin.toml",
+                  "kind = 'magnetometers'\nname = 'skin'\npath = 'port'\nchips = 5\nformat = 'binary'\n"
+                  "positions_mm = [[0, 0], [7, 0], [-7, 0], [0, 7], [0, -7]]\n"
+                  "axes = ['+x', '+y', '-z']\nthreshold_uT = 40.0\nloads = 'newtons.csv'\n");
+        const auto key = m_sources->open(app::TaxelsRequest{path});
+        // Again and again: what comes before the port is opened is not read.
+        std::string line = "write";
+        for (int i = 0; i < 20; ++i)
+            line += " pause:200 0-49";
+        m_board.say(line);
+        const auto array = [&] {
+            const auto* item = m_sources->find(key);
+            return item != nullptr && item->isOpen() ? item->array() : nullptr;
+        };
+        QVERIFY(comes([&] { return array() != nullptr && array()->newestLoads().has_value(); }));
+        auto* heatmap = m_page->findChild<tactile::HeatmapView*>();
+        QVERIFY(heatmap != nullptr);
+        QVERIFY(comes([&] { return !heatmap->loadsText().isEmpty(); }));
+        QVERIFY2(!heatmap->loadsText().contains("extrapolated"), qPrintable(heatmap->loadsText()));
+        QCOMPARE(m_page->messages().count(), 0);
+
+        m_board.say("write 400");
+        QVERIFY(comes([&] { return m_page->messages().count() == 1; }));
+        QVERIFY(comes([&] { return heatmap->loadsText().contains("extrapolated"); }));
+        // 0.01 N/uT of 400/8 uT above the frames of the tare.
+        const QRegularExpression expected(
+            QStringLiteral("^load\\s+0\\.4[5-9] \u00b1 0\\.07\\s?N, extrapolated$"),
+            QRegularExpression::UseUnicodePropertiesOption);
+        QVERIFY2(expected.match(heatmap->loadsText()).hasMatch(), qPrintable(heatmap->loadsText()));
+        for (int i = 0; i < 5; ++i)
+            poll();
+        QCOMPARE(m_page->messages().count(), 1);
+        QCOMPARE(m_page->messages().repeats(), 1);
+    }
+};
+
+QTEST_MAIN(SkinViewsTest)
+#include "skin_views_test.moc"

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An array whose chips tell how warm they are.
+#include "backend/pipeline/touch_channel.h"
+#include "backend/recording/recorder.h"
+#include "backend/recording/recording.h"
+#include "tests/backend/core/temporary_folder.h"
+#include "tests/backend/pipeline/scripted_source.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+using teleta::core::ArrayLayout;
+using teleta::pipeline::ChannelSettings;
+using teleta::pipeline::TouchChannel;
+
+namespace {
+
+class WarmSource : public teleta::test::ScriptedSource, public teleta::core::ChipThermometers {
+public:
+    explicit WarmSource(std::size_t chips)
+        : ScriptedSource(ArrayLayout{.rows = 1, .columns = 2, .pitchX_m = 0.01})
+        , m_chips(chips) {}
+
+    [[nodiscard]] std::size_t chips() const override { return m_chips; }
+    [[nodiscard]] teleta::core::BoundedQueue<teleta::core::TemperatureSample>& temperatures() override {
+        return m_temperatures;
+    }
+    /// A frame with its temperatures.
+    void push(double time_s, std::vector<float> values_degC) {
+        m_temperatures.push({teleta::core::steadyNow_ns(), time_s, std::move(values_degC)});
+        ScriptedSource::push({1.0F, 2.0F}, time_s);
+    }
+
+private:
+    std::size_t m_chips;
+    teleta::core::BoundedQueue<teleta::core::TemperatureSample> m_temperatures{64};
+};
+
+class WarmChannel : public testing::Test {
+protected:
+    explicit WarmChannel(std::size_t chips = 2) {
+        auto owned = std::make_unique<WarmSource>(chips);
+        m_source = owned.get();
+        ChannelSettings settings;
+        settings.conditioning.tare = {1.0F, 1.0F}; // as it was measured at opening
+        m_channel = std::make_unique<TouchChannel>(std::move(owned), std::move(settings));
+    }
+    void frame(double time_s, std::vector<float> values_degC) {
+        m_source->push(time_s, std::move(values_degC));
+        m_channel->process();
+    }
+
+    WarmSource* m_source = nullptr;
+    std::unique_ptr<TouchChannel> m_channel;
+};
+
+} // namespace
+
+TEST_F(WarmChannel, tellsThatAChipMovedMoreThanFiveKelvinFromTheTare) {
+    frame(0.0, {25.0F, 26.0F});
+    frame(0.1, {29.0F, 31.0F});
+    EXPECT_FALSE(m_channel->temperatureDrift());
+    frame(0.2, {29.0F, 32.5F});
+    ASSERT_TRUE(m_channel->temperatureDrift());
+    EXPECT_EQ(m_channel->temperatureDrift()->chip, 1U);
+    EXPECT_DOUBLE_EQ(m_channel->temperatureDrift()->change_K, 6.5);
+
+    m_channel->requestTare(0.05);
+    frame(0.3, {29.0F, 32.5F});
+    frame(0.4, {29.0F, 32.5F});
+    EXPECT_FALSE(m_channel->temperatureDrift()) << "the new tare was taken at these temperatures";
+    frame(0.5, {29.0F, 26.0F});
+    ASSERT_TRUE(m_channel->temperatureDrift());
+    EXPECT_DOUBLE_EQ(m_channel->temperatureDrift()->change_K, -6.5);
+}
+
+TEST_F(WarmChannel, withoutATareThereIsNothingThatDrifts) {
+    m_channel->clearTare();
+    frame(0.0, {25.0F, 26.0F});
+    frame(0.1, {45.0F, 46.0F});
+    EXPECT_FALSE(m_channel->temperatureDrift());
+}
+
+TEST_F(WarmChannel, aRecordingHasTheTemperatures) {
+    const teleta::test::TemporaryFolder folder;
+    const std::string path = folder.path("skin.teleta");
+    auto started = teleta::recording::Recorder::start(path, {});
+    ASSERT_TRUE(started) << teleta::core::describe(started.error());
+    const std::shared_ptr<teleta::recording::Recorder> recorder = std::move(*started);
+    m_channel->record(recorder, "skin");
+    for (int i = 0; i < 10; ++i)
+        frame(0.5 * i, {25.0F + static_cast<float>(i), 20.25F});
+    ASSERT_TRUE(recorder->stop());
+
+    const auto recording = teleta::recording::Recording::open(path);
+    ASSERT_TRUE(recording) << teleta::core::describe(recording.error());
+    ASSERT_EQ(recording->streams().size(), 3U);
+    const teleta::recording::StreamInfo& stream = recording->streams()[2];
+    EXPECT_EQ(stream.name, "skin-temperatures");
+    EXPECT_EQ(stream.kind, teleta::recording::StreamKind::numbers);
+    ASSERT_EQ(stream.columns.size(), 2U);
+    EXPECT_EQ(stream.columns[1].name, "temperature_1_degc");
+    EXPECT_EQ(stream.columns[1].unit, "degC");
+    teleta::recording::StreamReader reader = recording->reader(2);
+    teleta::core::TappedFrames block;
+    std::size_t frames = 0;
+    while (reader.next(block).value_or(false))
+        for (std::size_t i = 0; i < block.frames(); ++i, ++frames) {
+            const auto values = teleta::recording::valuesOf<double>(block, i, 2);
+            EXPECT_EQ(values[0], 25.0 + static_cast<double>(frames));
+            EXPECT_EQ(values[1], 20.25);
+            EXPECT_EQ(block.sourceTime_s[i], 0.5 * static_cast<double>(frames));
+        }
+    EXPECT_EQ(frames, 10U);
+}
+
+TEST(TouchChannel, anArrayWhoseChipsTellNothingHasNoStreamOfTemperatures) {
+    const teleta::test::TemporaryFolder folder;
+    auto started = teleta::recording::Recorder::start(folder.path("skin.teleta"), {});
+    ASSERT_TRUE(started) << teleta::core::describe(started.error());
+    const std::shared_ptr<teleta::recording::Recorder> recorder = std::move(*started);
+    auto owned = std::make_unique<WarmSource>(0);
+    WarmSource* source = owned.get();
+    TouchChannel channel(std::move(owned), {});
+    channel.record(recorder, "skin");
+    source->push(0.0, {});
+    channel.process();
+    ASSERT_TRUE(recorder->stop());
+    const auto recording = teleta::recording::Recording::open(folder.path("skin.teleta"));
+    ASSERT_TRUE(recording) << teleta::core::describe(recording.error());
+    EXPECT_EQ(recording->streams().size(), 2U);
+}
