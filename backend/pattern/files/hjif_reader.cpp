@@ -224,10 +224,17 @@ private:
     Track keyframes(const ordered_json& effect, double position) {
         Track lines;
         double last_s = position / m_timescale;
-        for (const ordered_json& keyframe :
-             m_reader.array(m_reader.member(effect, "keyframes"), 0, Pattern::kMostBreakpoints)) {
+        const ordered_json& frames =
+            m_reader.array(m_reader.member(effect, "keyframes"), 0, Pattern::kMostBreakpoints);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const ordered_json& keyframe = frames[i];
             const ordered_json& relative = m_reader.member(keyframe, "relative_position");
-            const double time_s = (position + ticks(relative)) / m_timescale;
+            double within = ticks(relative);
+            if (isNegative(within, frames, i + 1)) {
+                m_losses.add(LossKind::early, position / m_timescale);
+                within = 0.0;
+            }
+            const double time_s = (position + within) / m_timescale;
             if (time_s > Pattern::kLongest_s || (time_s < last_s && m_band != Band::transient)) {
                 m_reader.fail(relative, HjifText::tr("the times decrease or exceed the longest pattern"),
                               HjifText::tr("a time that is not before the previous one"));
@@ -254,6 +261,15 @@ private:
                 lines.push_back({last_s, lines.back().intensity});
         }
         return lines;
+    }
+
+    /// The reference encoder writes a place just before the effect as a number of 16 bits without a sign, as
+    /// 65534 for -2; the keyframe after it begins anew.
+    bool isNegative(double within, const ordered_json& frames, std::size_t next) {
+        constexpr double kFirst = 32'768.0;
+        constexpr double kLast = 65'535.0;
+        return within >= kFirst && within <= kLast && next < frames.size() && m_band != Band::transient &&
+               ticks(m_reader.member(frames[next], "relative_position")) < kFirst;
     }
 
     void add(Track lines) {

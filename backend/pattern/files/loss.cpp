@@ -68,6 +68,9 @@ QString text(const Loss& loss) {
             .arg(loss.count);
     case LossKind::clipped:
         return PatternLoss::tr("Intensities beyond full drive, set to 1: %1.").arg(loss.count);
+    case LossKind::early:
+        return PatternLoss::tr("Keyframes before the beginning of their effect, moved to it: %1.")
+            .arg(loss.count);
     case LossKind::objects:
         return PatternLoss::tr("Objects written as the intensities that they play: %1.").arg(loss.count);
     case LossKind::steps:
@@ -124,6 +127,8 @@ const char* toString(LossKind kind) {
         return "curve";
     case LossKind::clipped:
         return "clipped";
+    case LossKind::early:
+        return "early";
     case LossKind::objects:
         return "objects";
     case LossKind::steps:

@@ -230,6 +230,21 @@ TEST(HjifImport, transientsBecomeBurstsAndReferencesAreFollowed) {
     EXPECT_EQ(import->pattern.duration_s, 0.6);
 }
 
+// What the MPEG reference encoder writes for its "DoubleTick" at 2 kbit/s, with 2000 ticks a second.
+TEST(HjifImport, placesBeforeTheirEffectThatTheReferenceEncoderWrapsCountFromItsBegin) {
+    const auto import = readHjif(json::array(
+        {channel("VectorialWave", json::array({effect("Basis", 458,
+                                                      {keyframe(65534, 0.75), keyframe(0, 0.0),
+                                                       keyframe(48, 0.0), keyframe(50, 0.5)})}))}));
+    ASSERT_TRUE(import) << describe(import.error());
+    EXPECT_EQ(lost(import, LossKind::early), 1U);
+    EXPECT_EQ(evaluate(import->pattern, 0.458 + 0.049)[0], 0.25);
+    EXPECT_EQ(import->pattern.duration_s, 0.508);
+    EXPECT_FALSE(readHjif(json::array({channel(
+        "VectorialWave", json::array({effect("Basis", 0, {keyframe(20'000, 0.75), keyframe(0, 0.0)})}))})))
+        << "the times decrease";
+}
+
 TEST(HjifImport, aTransientAtTheEndOfTheLongestPatternIsWhole) {
     const long end = std::lround(1000.0 * Pattern::kLongest_s);
     const auto import = readHjif(json::array(
