@@ -174,6 +174,16 @@
     </message>
 </context>
 <context>
+    <name>PlaneFit</name>
+    <message numerus="yes">
+        <source>%n point(s) are too few</source>
+        <translation>
+            <numerusform>%n point is too few</numerusform>
+            <numerusform>%n points are too few</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReplayCommand</name>
     <message numerus="yes">
         <source>%n damaged block(s) left out</source>

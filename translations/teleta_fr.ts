@@ -797,6 +797,17 @@
     </message>
 </context>
 <context>
+    <name>BoardCorners</name>
+    <message>
+        <source>only %1 of the %2 corners of the chessboard are in the picture</source>
+        <translation>seuls %1 des %2 coins de l’échiquier sont dans l’image</translation>
+    </message>
+    <message>
+        <source>a whole chessboard of %1 x %2 inner corners, in focus and evenly lit</source>
+        <translation>un échiquier entier de %1 x %2 coins intérieurs, net et éclairé uniformément</translation>
+    </message>
+</context>
+<context>
     <name>Bracelet</name>
     <message>
         <source>The connection to the bracelet was lost.</source>
@@ -1175,14 +1186,6 @@
         <translation>sans structure</translation>
     </message>
     <message>
-        <source>Camera and lens of a tactile cylinder from pairs of pixels and points</source>
-        <translation>Caméra et objectif d’un cylindre tactile d’après des paires de pixels et de points</translation>
-    </message>
-    <message>
-        <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows</source>
-        <translation>CSV avec les colonnes u_px,v_px,x_m,y_m,z_m, au moins 6 lignes</translation>
-    </message>
-    <message>
         <source>Width of the image, px</source>
         <translation>Largeur de l’image, px</translation>
     </message>
@@ -1201,10 +1204,6 @@
     <message>
         <source>robust: camera and lens, wrong pairs are left out; paper: linear, without a lens, drops pairs that are off by more than 2 mm</source>
         <translation>robust&#xa0;: caméra et objectif, les paires fausses sont écartées&#xa0;; paper&#xa0;: linéaire, sans objectif, écarte les paires à plus de 2 mm</translation>
-    </message>
-    <message>
-        <source>Write the camera to this file</source>
-        <translation>Écrire la caméra dans ce fichier</translation>
     </message>
     <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
@@ -1233,6 +1232,22 @@
     <message>
         <source>Warning</source>
         <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows; with --plane a picture of a chessboard, or a picture or video of the gel at rest</source>
+        <translation>CSV avec les colonnes u_px,v_px,x_m,y_m,z_m, au moins 6 lignes&#xa0;; avec --plane, une image d’un échiquier, ou une image ou une vidéo du gel au repos</translation>
+    </message>
+    <message>
+        <source>Write the camera, or with --plane the lines for the sensor file, to this file</source>
+        <translation>Écrire dans ce fichier la caméra ou, avec --plane, les lignes du fichier de capteur</translation>
+    </message>
+    <message>
+        <source>a file is needed</source>
+        <translation>un fichier est nécessaire</translation>
+    </message>
+    <message>
+        <source>Camera and lens of a tactile cylinder, or the plane of a flat gel</source>
+        <translation>Caméra et objectif d’un cylindre tactile, ou plan d’un gel plat</translation>
     </message>
 </context>
 <context>
@@ -3679,6 +3694,14 @@ Exemples&#xa0;:
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; or &quot;ros_camera&quot;</source>
         <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; ou &quot;ros_camera&quot;</translation>
     </message>
+    <message>
+        <source>chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at rest moves with it. Wait until it is warm</source>
+        <translation>la température de la puce %1 a changé de %2 K entre-temps&#xa0;: ce que le capteur lit au repos change avec elle. Attendez qu’il soit chaud</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
 </context>
 <context>
     <name>DriverText</name>
@@ -5071,6 +5094,11 @@ Exemples&#xa0;:
         <source>shear, a taxel&apos;s width is %1</source>
         <translation>cisaillement, la largeur d’un taxel vaut %1</translation>
     </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>extrapolé</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -5963,6 +5991,10 @@ Exemples&#xa0;:
     <message>
         <source>an error or a scatter is below 0</source>
         <translation>une erreur ou une dispersion est inférieure à 0</translation>
+    </message>
+    <message>
+        <source>the source has no signal &quot;%1&quot;</source>
+        <translation>la source n’a pas de signal «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -7853,6 +7885,10 @@ Aire %6</translation>
         <source>First seen in %1.</source>
         <translation>Première occurrence dans&#xa0;%1.</translation>
     </message>
+    <message>
+        <source>Keyframes before the beginning of their effect, moved to it: %1.</source>
+        <translation>Images clés situées avant le début de leur effet, déplacées à ce début&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>PatternNames</name>
@@ -8112,6 +8148,143 @@ Aire %6</translation>
         <source>Precision: %1</source>
         <comment>test</comment>
         <translation>Précision&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneCalibration</name>
+    <message>
+        <source>Find how pixels become places on a flat gel: by --board, --ruler or --pitch-mm</source>
+        <translation>Trouver comment les pixels deviennent des positions sur un gel plat&#xa0;: par --board, --ruler ou --pitch-mm</translation>
+    </message>
+    <message>
+        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers</source>
+        <translation>D’un gel plat&#xa0;: son fichier de capteur, avec le cadrage, les retournements, l’objectif et la grille des marqueurs</translation>
+    </message>
+    <message>
+        <source>Inner corners of the chessboard in the picture, as 7x5</source>
+        <translation>Coins intérieurs de l’échiquier dans l’image, comme 7x5</translation>
+    </message>
+    <message>
+        <source>Side of a square of the chessboard, mm</source>
+        <translation>Côté d’une case de l’échiquier, mm</translation>
+    </message>
+    <message>
+        <source>Two points of a ruler in the picture, and their distance; several times for several lengths. No picture is read</source>
+        <translation>Deux points d’une règle dans l’image, et leur distance&#xa0;; plusieurs fois pour plusieurs longueurs. Aucune image n’est lue</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring markers of the gel, mm</source>
+        <translation>Distance entre marqueurs voisins du gel, mm</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>%1 mm/px, standard deviation %2 mm/px</source>
+        <translation>%1 mm/px, écart type %2 mm/px</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Gardés</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>%1 px rms</source>
+        <translation>%1 px (valeur efficace)</translation>
+    </message>
+    <message>
+        <source>one of --board, --ruler and --pitch-mm is needed</source>
+        <translation>il faut l’une des options --board, --ruler et --pitch-mm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no size, as 7x5</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une taille, comme 7x5</translation>
+    </message>
+    <message>
+        <source>a single row does not show a plane</source>
+        <translation>une seule rangée ne montre pas un plan</translation>
+    </message>
+    <message>
+        <source>the side of a square is needed with --board</source>
+        <translation>le côté d’une case est nécessaire avec --board</translation>
+    </message>
+    <message>
+        <source>this is no picture</source>
+        <translation>ce n’est pas une image</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG picture of a chessboard</source>
+        <translation>une image PNG ou JPEG d’un échiquier</translation>
+    </message>
+    <message>
+        <source>the markers of this sensor form no rectangular grid</source>
+        <translation>les marqueurs de ce capteur ne forment pas une grille rectangulaire</translation>
+    </message>
+    <message>
+        <source>grid = &quot;rectangular&quot; with rows and columns</source>
+        <translation>grid = &quot;rectangular&quot; avec rows et columns</translation>
+    </message>
+    <message>
+        <source>no picture can be read from it</source>
+        <translation>aucune image ne peut y être lue</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not two pixels and a length: U,V,U,V,MM</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas deux pixels et une longueur&#xa0;: U,V,U,V,MM</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneFit</name>
+    <message numerus="yes">
+        <source>%n point(s) are too few</source>
+        <translation>
+            <numerusform>%n point ne suffit pas</numerusform>
+            <numerusform>%n points ne suffisent pas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at least %1 points</source>
+        <translation>au moins %1 points</translation>
+    </message>
+    <message>
+        <source>all points lie on one line, which does not show a plane</source>
+        <translation>tous les points sont sur une droite, ce qui ne montre pas un plan</translation>
+    </message>
+    <message>
+        <source>points in at least two rows</source>
+        <translation>des points sur au moins deux rangées</translation>
+    </message>
+    <message>
+        <source>the points show no plane in front of the camera</source>
+        <translation>les points ne montrent pas de plan devant la caméra</translation>
+    </message>
+    <message>
+        <source>points of one flat pattern, each with its own place</source>
+        <translation>des points d’un même motif plan, chacun à sa position</translation>
+    </message>
+    <message>
+        <source>the length of the ruler is not above 0</source>
+        <translation>la longueur de la règle n’est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>the two points of the ruler are too close to each other</source>
+        <translation>les deux points de la règle sont trop proches</translation>
+    </message>
+    <message>
+        <source>points that are at least %1 px apart</source>
+        <translation>des points distants d’au moins %1 px</translation>
+    </message>
+    <message>
+        <source>no ruler was read</source>
+        <translation>aucune règle n’a été lue</translation>
     </message>
 </context>
 <context>
@@ -20583,6 +20756,24 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Check mesh_path in the file with which you opened the arm or its site.</source>
         <translation>Vérifiez mesh_path dans le fichier par lequel vous avez ouvert le bras ou son site.</translation>
     </message>
+    <message>
+        <source>%1 has become warmer since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 s’est réchauffé depuis son tarage.</translation>
+    </message>
+    <message>
+        <source>%1 has become colder since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 s’est refroidi depuis son tarage.</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
+        <translation>Ce qu’il lit au repos change avec la température. Tarez-le de nouveau sans que rien ne le touche.</translation>
+    </message>
+    <message>
+        <source>Chip %1: %2</source>
+        <translation>Puce %1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -24932,6 +25123,27 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Draw the force along the surface as arrows, of arrays that measure it</source>
         <translation>Dessiner la force le long de la surface par des flèches, si la matrice la mesure</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>charge</translation>
+    </message>
+    <message>
+        <source>load along x</source>
+        <translation>charge selon x</translation>
+    </message>
+    <message>
+        <source>load along y</source>
+        <translation>charge selon y</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>moment</translation>
+    </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>extrapolé</translation>
     </message>
 </context>
 <context>

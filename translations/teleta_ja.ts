@@ -795,6 +795,17 @@
     </message>
 </context>
 <context>
+    <name>BoardCorners</name>
+    <message>
+        <source>only %1 of the %2 corners of the chessboard are in the picture</source>
+        <translation>画像にはチェスボードの%2個の角のうち%1個しかありません</translation>
+    </message>
+    <message>
+        <source>a whole chessboard of %1 x %2 inner corners, in focus and evenly lit</source>
+        <translation>内側の角が%1 x %2個で、全体が写り、ピントが合い、均一に照らされたチェスボード</translation>
+    </message>
+</context>
+<context>
     <name>Bracelet</name>
     <message>
         <source>The connection to the bracelet was lost.</source>
@@ -1172,14 +1183,6 @@
         <translation>規則性なし</translation>
     </message>
     <message>
-        <source>Camera and lens of a tactile cylinder from pairs of pixels and points</source>
-        <translation>画素と点のペアから触覚円筒のカメラとレンズを求めます</translation>
-    </message>
-    <message>
-        <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows</source>
-        <translation>u_px,v_px,x_m,y_m,z_m の列を持つCSV (6行以上)</translation>
-    </message>
-    <message>
         <source>Width of the image, px</source>
         <translation>画像の幅、px</translation>
     </message>
@@ -1198,10 +1201,6 @@
     <message>
         <source>robust: camera and lens, wrong pairs are left out; paper: linear, without a lens, drops pairs that are off by more than 2 mm</source>
         <translation>robust: カメラとレンズ、誤ったペアを除外。paper: 線形、レンズなし、2 mmを超えて外れたペアを除外</translation>
-    </message>
-    <message>
-        <source>Write the camera to this file</source>
-        <translation>カメラをこのファイルに書き込む</translation>
     </message>
     <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
@@ -1230,6 +1229,22 @@
     <message>
         <source>Warning</source>
         <translation>警告</translation>
+    </message>
+    <message>
+        <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows; with --plane a picture of a chessboard, or a picture or video of the gel at rest</source>
+        <translation>列u_px,v_px,x_m,y_m,z_mを持つ6行以上のCSV。--planeではチェスボードの画像、または静止したゲルの画像か動画</translation>
+    </message>
+    <message>
+        <source>Write the camera, or with --plane the lines for the sensor file, to this file</source>
+        <translation>このファイルにカメラを書き込みます。--planeではセンサーファイルの行を書き込みます</translation>
+    </message>
+    <message>
+        <source>a file is needed</source>
+        <translation>ファイルが必要です</translation>
+    </message>
+    <message>
+        <source>Camera and lens of a tactile cylinder, or the plane of a flat gel</source>
+        <translation>触覚円筒のカメラとレンズ、または平らなゲルの面</translation>
     </message>
 </context>
 <context>
@@ -3672,6 +3687,14 @@ Examples:
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; or &quot;ros_camera&quot;</source>
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;、&quot;ros_tactile&quot;、&quot;ros_camera&quot;のいずれか</translation>
     </message>
+    <message>
+        <source>chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at rest moves with it. Wait until it is warm</source>
+        <translation>その間にチップ%1の温度が%2 K変わりました。静止時の値も温度とともに変わります。センサーが温まるまでお待ちください</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
 </context>
 <context>
     <name>DriverText</name>
@@ -5058,6 +5081,11 @@ Examples:
         <source>shear, a taxel&apos;s width is %1</source>
         <translation>せん断、タクセルの幅が%1</translation>
     </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>外挿</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -5945,6 +5973,10 @@ Examples:
     <message>
         <source>an error or a scatter is below 0</source>
         <translation>誤差またはばらつきが0未満です</translation>
+    </message>
+    <message>
+        <source>the source has no signal &quot;%1&quot;</source>
+        <translation>ソースに信号「%1」はありません</translation>
     </message>
 </context>
 <context>
@@ -7834,6 +7866,10 @@ x %4, y %5
         <source>First seen in %1.</source>
         <translation>最初に見つかった場所: %1。</translation>
     </message>
+    <message>
+        <source>Keyframes before the beginning of their effect, moved to it: %1.</source>
+        <translation>効果の始まりより前にあり、そこへ移したキーフレーム: %1</translation>
+    </message>
 </context>
 <context>
     <name>PatternNames</name>
@@ -8093,6 +8129,142 @@ x %4, y %5
         <source>Precision: %1</source>
         <comment>test</comment>
         <translation>精度: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneCalibration</name>
+    <message>
+        <source>Find how pixels become places on a flat gel: by --board, --ruler or --pitch-mm</source>
+        <translation>平らなゲル上の位置と画素の対応を、--board、--ruler、--pitch-mmのいずれかで求めます</translation>
+    </message>
+    <message>
+        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers</source>
+        <translation>平らなゲルのセンサーファイル。切り抜き、反転、レンズ、マーカーの格子を使います</translation>
+    </message>
+    <message>
+        <source>Inner corners of the chessboard in the picture, as 7x5</source>
+        <translation>画像にあるチェスボードの内側の角の数。例: 7x5</translation>
+    </message>
+    <message>
+        <source>Side of a square of the chessboard, mm</source>
+        <translation>チェスボードの升目の一辺 (mm)</translation>
+    </message>
+    <message>
+        <source>Two points of a ruler in the picture, and their distance; several times for several lengths. No picture is read</source>
+        <translation>画像に写った定規の2点とその距離。複数の長さには複数回指定します。画像は読み込みません</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring markers of the gel, mm</source>
+        <translation>ゲルの隣り合うマーカーの間隔 (mm)</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>縮尺</translation>
+    </message>
+    <message>
+        <source>%1 mm/px, standard deviation %2 mm/px</source>
+        <translation>%1 mm/px、標準偏差%2 mm/px</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>ずれ</translation>
+    </message>
+    <message>
+        <source>%1 px rms</source>
+        <translation>%1 px (二乗平均平方根)</translation>
+    </message>
+    <message>
+        <source>one of --board, --ruler and --pitch-mm is needed</source>
+        <translation>--board、--ruler、--pitch-mmのいずれか1つが必要です</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no size, as 7x5</source>
+        <translation>「%1」は大きさではありません。例: 7x5</translation>
+    </message>
+    <message>
+        <source>a single row does not show a plane</source>
+        <translation>1行だけでは面が決まりません</translation>
+    </message>
+    <message>
+        <source>the side of a square is needed with --board</source>
+        <translation>--boardには升目の一辺が必要です</translation>
+    </message>
+    <message>
+        <source>this is no picture</source>
+        <translation>これは画像ではありません</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG picture of a chessboard</source>
+        <translation>チェスボードのPNGまたはJPEG画像</translation>
+    </message>
+    <message>
+        <source>the markers of this sensor form no rectangular grid</source>
+        <translation>このセンサーのマーカーは長方形の格子ではありません</translation>
+    </message>
+    <message>
+        <source>grid = &quot;rectangular&quot; with rows and columns</source>
+        <translation>grid = &quot;rectangular&quot;とrows、columns</translation>
+    </message>
+    <message>
+        <source>no picture can be read from it</source>
+        <translation>画像を読み取れません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not two pixels and a length: U,V,U,V,MM</source>
+        <translation>「%1」は2つの画素と長さ(U,V,U,V,MM)ではありません</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneFit</name>
+    <message numerus="yes">
+        <source>%n point(s) are too few</source>
+        <translation>
+            <numerusform>%n点では少なすぎます</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at least %1 points</source>
+        <translation>%1点以上</translation>
+    </message>
+    <message>
+        <source>all points lie on one line, which does not show a plane</source>
+        <translation>すべての点が一直線上にあり、面が決まりません</translation>
+    </message>
+    <message>
+        <source>points in at least two rows</source>
+        <translation>2行以上に並ぶ点</translation>
+    </message>
+    <message>
+        <source>the points show no plane in front of the camera</source>
+        <translation>点からはカメラの前の面が求まりません</translation>
+    </message>
+    <message>
+        <source>points of one flat pattern, each with its own place</source>
+        <translation>1つの平らな模様の点。それぞれが異なる位置にあるもの</translation>
+    </message>
+    <message>
+        <source>the length of the ruler is not above 0</source>
+        <translation>定規の長さが0より大きくありません</translation>
+    </message>
+    <message>
+        <source>the two points of the ruler are too close to each other</source>
+        <translation>定規の2点が近すぎます</translation>
+    </message>
+    <message>
+        <source>points that are at least %1 px apart</source>
+        <translation>%1 px以上離れた点</translation>
+    </message>
+    <message>
+        <source>no ruler was read</source>
+        <translation>定規が読み取られていません</translation>
     </message>
 </context>
 <context>
@@ -20523,6 +20695,24 @@ Run teleta-site --help for more.
         <source>Check mesh_path in the file with which you opened the arm or its site.</source>
         <translation>アームまたはサイトを開いたファイルの mesh_path を確認してください。</translation>
     </message>
+    <message>
+        <source>%1 has become warmer since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1は風袋引きの後に温まりました。</translation>
+    </message>
+    <message>
+        <source>%1 has become colder since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1は風袋引きの後に冷えました。</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
+        <translation>静止時の値は温度とともに変わります。何も触れない状態でもう一度風袋引きをしてください。</translation>
+    </message>
+    <message>
+        <source>Chip %1: %2</source>
+        <translation>チップ%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -24861,6 +25051,27 @@ Double-click to type the upper end.</source>
     <message>
         <source>Draw the force along the surface as arrows, of arrays that measure it</source>
         <translation>アレイが測る場合、表面に沿う力を矢印で描きます</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>荷重</translation>
+    </message>
+    <message>
+        <source>load along x</source>
+        <translation>x方向の荷重</translation>
+    </message>
+    <message>
+        <source>load along y</source>
+        <translation>y方向の荷重</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>モーメント</translation>
+    </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>外挿</translation>
     </message>
 </context>
 <context>

@@ -795,6 +795,17 @@
     </message>
 </context>
 <context>
+    <name>BoardCorners</name>
+    <message>
+        <source>only %1 of the %2 corners of the chessboard are in the picture</source>
+        <translation>图像中只有棋盘 %2 个角点中的 %1 个</translation>
+    </message>
+    <message>
+        <source>a whole chessboard of %1 x %2 inner corners, in focus and evenly lit</source>
+        <translation>内角点为 %1 x %2 的完整棋盘，对焦清晰、照明均匀</translation>
+    </message>
+</context>
+<context>
     <name>Bracelet</name>
     <message>
         <source>The connection to the bracelet was lost.</source>
@@ -1172,14 +1183,6 @@
         <translation>无规律</translation>
     </message>
     <message>
-        <source>Camera and lens of a tactile cylinder from pairs of pixels and points</source>
-        <translation>由像素与点的点对求触觉圆柱的相机和镜头</translation>
-    </message>
-    <message>
-        <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows</source>
-        <translation>CSV，含列 u_px,v_px,x_m,y_m,z_m，至少 6 行</translation>
-    </message>
-    <message>
         <source>Width of the image, px</source>
         <translation>图像宽度，px</translation>
     </message>
@@ -1198,10 +1201,6 @@
     <message>
         <source>robust: camera and lens, wrong pairs are left out; paper: linear, without a lens, drops pairs that are off by more than 2 mm</source>
         <translation>robust：相机和镜头，剔除错误点对；paper：线性，不含镜头，剔除偏差超过 2 mm 的点对</translation>
-    </message>
-    <message>
-        <source>Write the camera to this file</source>
-        <translation>将相机写入此文件</translation>
     </message>
     <message>
         <source>The points are holes of a shell: their x and y times this factor are on the elastomer (the paper&apos;s shell: 0.97)</source>
@@ -1230,6 +1229,22 @@
     <message>
         <source>Warning</source>
         <translation>警告</translation>
+    </message>
+    <message>
+        <source>CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows; with --plane a picture of a chessboard, or a picture or video of the gel at rest</source>
+        <translation>含 u_px,v_px,x_m,y_m,z_m 列的 CSV，至少 6 行；使用 --plane 时为棋盘图像，或静止凝胶的图像或视频</translation>
+    </message>
+    <message>
+        <source>Write the camera, or with --plane the lines for the sensor file, to this file</source>
+        <translation>将相机写入此文件；使用 --plane 时写入传感器文件的各行</translation>
+    </message>
+    <message>
+        <source>a file is needed</source>
+        <translation>需要一个文件</translation>
+    </message>
+    <message>
+        <source>Camera and lens of a tactile cylinder, or the plane of a flat gel</source>
+        <translation>触觉圆柱的相机和镜头，或平面凝胶的平面</translation>
     </message>
 </context>
 <context>
@@ -3672,6 +3687,14 @@ Examples:
         <source>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; or &quot;ros_camera&quot;</source>
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;、&quot;ros_tactile&quot; 或 &quot;ros_camera&quot;</translation>
     </message>
+    <message>
+        <source>chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at rest moves with it. Wait until it is warm</source>
+        <translation>在此期间芯片 %1 的温度变化了 %2 K：传感器静止时的读数随之变化。请等待其预热</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
 </context>
 <context>
     <name>DriverText</name>
@@ -5058,6 +5081,11 @@ Examples:
         <source>shear, a taxel&apos;s width is %1</source>
         <translation>剪切，触元宽度为 %1</translation>
     </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>外推</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -5945,6 +5973,10 @@ Examples:
     <message>
         <source>an error or a scatter is below 0</source>
         <translation>误差或离散度小于 0</translation>
+    </message>
+    <message>
+        <source>the source has no signal &quot;%1&quot;</source>
+        <translation>数据源没有信号“%1”</translation>
     </message>
 </context>
 <context>
@@ -7834,6 +7866,10 @@ x %4，y %5
         <source>First seen in %1.</source>
         <translation>首次出现于 %1。</translation>
     </message>
+    <message>
+        <source>Keyframes before the beginning of their effect, moved to it: %1.</source>
+        <translation>位于其效果开始之前、已移到开始处的关键帧：%1。</translation>
+    </message>
 </context>
 <context>
     <name>PatternNames</name>
@@ -8093,6 +8129,142 @@ x %4，y %5
         <source>Precision: %1</source>
         <comment>test</comment>
         <translation>精度：%1</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneCalibration</name>
+    <message>
+        <source>Find how pixels become places on a flat gel: by --board, --ruler or --pitch-mm</source>
+        <translation>求像素如何对应平面凝胶上的位置：用 --board、--ruler 或 --pitch-mm</translation>
+    </message>
+    <message>
+        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers</source>
+        <translation>平面凝胶的传感器文件，含裁剪、翻转、镜头和标记网格</translation>
+    </message>
+    <message>
+        <source>Inner corners of the chessboard in the picture, as 7x5</source>
+        <translation>图像中棋盘的内角点数，如 7x5</translation>
+    </message>
+    <message>
+        <source>Side of a square of the chessboard, mm</source>
+        <translation>棋盘方格的边长，mm</translation>
+    </message>
+    <message>
+        <source>Two points of a ruler in the picture, and their distance; several times for several lengths. No picture is read</source>
+        <translation>图像中标尺上的两点及其距离；多个长度可多次给出。不读取图像</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring markers of the gel, mm</source>
+        <translation>凝胶相邻标记的间距，mm</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>%1 mm/px, standard deviation %2 mm/px</source>
+        <translation>%1 mm/px，标准差 %2 mm/px</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>%1 px rms</source>
+        <translation>%1 px（均方根）</translation>
+    </message>
+    <message>
+        <source>one of --board, --ruler and --pitch-mm is needed</source>
+        <translation>需要 --board、--ruler 和 --pitch-mm 之一</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no size, as 7x5</source>
+        <translation>“%1”不是尺寸，应如 7x5</translation>
+    </message>
+    <message>
+        <source>a single row does not show a plane</source>
+        <translation>单独一行不能确定平面</translation>
+    </message>
+    <message>
+        <source>the side of a square is needed with --board</source>
+        <translation>使用 --board 时需要方格的边长</translation>
+    </message>
+    <message>
+        <source>this is no picture</source>
+        <translation>这不是图像</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG picture of a chessboard</source>
+        <translation>棋盘的 PNG 或 JPEG 图像</translation>
+    </message>
+    <message>
+        <source>the markers of this sensor form no rectangular grid</source>
+        <translation>该传感器的标记不构成矩形网格</translation>
+    </message>
+    <message>
+        <source>grid = &quot;rectangular&quot; with rows and columns</source>
+        <translation>grid = &quot;rectangular&quot; 以及 rows 和 columns</translation>
+    </message>
+    <message>
+        <source>no picture can be read from it</source>
+        <translation>无法从中读取图像</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not two pixels and a length: U,V,U,V,MM</source>
+        <translation>“%1”不是两个像素和一个长度：U,V,U,V,MM</translation>
+    </message>
+</context>
+<context>
+    <name>PlaneFit</name>
+    <message numerus="yes">
+        <source>%n point(s) are too few</source>
+        <translation>
+            <numerusform>%n 个点太少</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at least %1 points</source>
+        <translation>至少 %1 个点</translation>
+    </message>
+    <message>
+        <source>all points lie on one line, which does not show a plane</source>
+        <translation>所有点都在一条直线上，不能确定平面</translation>
+    </message>
+    <message>
+        <source>points in at least two rows</source>
+        <translation>至少两行的点</translation>
+    </message>
+    <message>
+        <source>the points show no plane in front of the camera</source>
+        <translation>这些点不能给出相机前方的平面</translation>
+    </message>
+    <message>
+        <source>points of one flat pattern, each with its own place</source>
+        <translation>同一平面图案上的点，各有各的位置</translation>
+    </message>
+    <message>
+        <source>the length of the ruler is not above 0</source>
+        <translation>标尺的长度不大于 0</translation>
+    </message>
+    <message>
+        <source>the two points of the ruler are too close to each other</source>
+        <translation>标尺的两点过近</translation>
+    </message>
+    <message>
+        <source>points that are at least %1 px apart</source>
+        <translation>相距至少 %1 px 的点</translation>
+    </message>
+    <message>
+        <source>no ruler was read</source>
+        <translation>没有读取标尺</translation>
     </message>
 </context>
 <context>
@@ -20523,6 +20695,24 @@ Run teleta-site --help for more.
         <source>Check mesh_path in the file with which you opened the arm or its site.</source>
         <translation>请检查打开机械臂或其站点所用文件中的 mesh_path。</translation>
     </message>
+    <message>
+        <source>%1 has become warmer since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 自去皮后变热了。</translation>
+    </message>
+    <message>
+        <source>%1 has become colder since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 自去皮后变冷了。</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
+        <translation>其静止读数随温度变化。请在没有接触时重新去皮。</translation>
+    </message>
+    <message>
+        <source>Chip %1: %2</source>
+        <translation>芯片 %1：%2</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -24861,6 +25051,27 @@ Double-click to type the upper end.</source>
     <message>
         <source>Draw the force along the surface as arrows, of arrays that measure it</source>
         <translation>用箭头画出沿表面的力（限能测量它的阵列）</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>载荷</translation>
+    </message>
+    <message>
+        <source>load along x</source>
+        <translation>x 向载荷</translation>
+    </message>
+    <message>
+        <source>load along y</source>
+        <translation>y 向载荷</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>外推</translation>
     </message>
 </context>
 <context>

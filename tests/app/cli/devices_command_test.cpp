@@ -131,9 +131,15 @@ TEST_F(DevicesCommand, refusesABadDescriptionWithItsPlace) {
         {"kind = 'wts'\nname = 'a'\naddress = '/dev/ttyS0'\nspeed = 1\n",
          "d.toml:4:1: unknown key \"speed\""},
         {"kind = 'camera'\nname = 'c'\n", "\"source\" is missing"},
+        {"kind = 'magnetometers'\nname = 'm'\npath = '/dev/ttyS0'\nchips = 1\nformat = "
+         "'binary'\nthreshold_uT = 9\n"
+         "positions_mm = [[0, 0]]\nloads = 'newtons.csv'\n",
+         "newtons.csv:2:"},
         {"kind = 'camera'\nname = 'c'\nsource = '0'\nwidth_px = -1\n", "d.toml:4:12: "},
         {"kind = \n", "d.toml:1:"},
     };
+    m_folder.write("newtons.csv", "load,signal,gain,gain_se,rest,least,greatest,scatter\n"
+                                  "force_n,t1_z,0.5,0.01,0,0,10,0.02\n");
     for (const Case& c : cases) {
         const ProgramResult result = probe(c.text);
         EXPECT_EQ(result.exitCode, 3) << result.err;

@@ -4,6 +4,7 @@
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/commands/camera/camera_commands.h"
+#include "app/cli/commands/camera/plane_calibration.h"
 #include "backend/vision/calibration/camera_calibration.h"
 #include "backend/vision/calibration/camera_file.h"
 
@@ -93,10 +94,12 @@ core::Expected<void> printTable(const Calibration& calibration, double holeFacto
 class CalibrateCommand {
 public:
     void declare(CLI::App& app) {
-        addOption(app, "pairs", m_pairsPath,
-                  CalibrateText::tr("CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows"),
-                  "PAIRS.csv")
-            ->required();
+        addOption(
+            app, "pairs", m_pairsPath,
+            CalibrateText::tr("CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows; with --plane a "
+                              "picture of a chessboard, or a picture or video of the gel at rest"),
+            "PAIRS.csv");
+        m_plane.declare(app);
         addOption(app, "--width", m_settings.width_px, CalibrateText::tr("Width of the image, px"),
                   between(1, vision::kLargestSide_px));
         addOption(app, "--height", m_settings.height_px, CalibrateText::tr("Height of the image, px"),
@@ -115,7 +118,9 @@ public:
                                     "without a lens, drops pairs that are off by more than 2 mm"),
                   {"robust", "paper"})
             ->capture_default_str();
-        addOption(app, "-o,--out", m_outPath, CalibrateText::tr("Write the camera to this file"),
+        addOption(app, "-o,--out", m_outPath,
+                  CalibrateText::tr(
+                      "Write the camera, or with --plane the lines for the sensor file, to this file"),
                   "CAMERA.json");
         addOption(app, "--residuals", m_residualsPath,
                   CalibrateText::tr("Write each pair and its residual as CSV"), "OUT.csv");
@@ -123,7 +128,11 @@ public:
     }
 
     [[nodiscard]] core::Expected<void> run() {
+        if (m_pairsPath.empty() && !(m_plane.isWanted() && m_plane.hasRuler()))
+            refuse("PAIRS", CalibrateText::tr("a file is needed"));
         refuseToReplace(m_outPath, std::array{m_pairsPath});
+        if (m_plane.isWanted())
+            return m_plane.run(m_pairsPath, m_outPath, m_json);
         refuseToReplace(m_residualsPath, std::array{m_pairsPath}, "--residuals");
         if (!m_outPath.empty() && m_outPath == m_residualsPath)
             refuse("--residuals", CalibrateText::tr("the camera is written to this file"));
@@ -160,6 +169,7 @@ public:
 
 private:
     std::string m_pairsPath;
+    PlaneCalibration m_plane;
     vision::CalibrationSettings m_settings;
     double m_radius_mm = 1e3 * vision::CylinderSurface{}.radius_m;
     double m_length_mm = 1e3 * vision::CylinderSurface{}.highest_z_m;
@@ -174,8 +184,7 @@ private:
 
 Command calibrateCommand() {
     return makeCommand<CalibrateCommand>(
-        "calibrate",
-        CalibrateText::tr("Camera and lens of a tactile cylinder from pairs of pixels and points"),
+        "calibrate", CalibrateText::tr("Camera and lens of a tactile cylinder, or the plane of a flat gel"),
         "teleta simulate vtacarm-calibration --duration 60 --out run\n"
         "  teleta calibrate run/pairs.csv --out camera.json --residuals residuals.csv");
 }

@@ -15,6 +15,7 @@
 #include "backend/core/keys/toml_keys.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/core/threads/wakeup.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/vision/gel/marker_gel.h"
 #include "backend/vision/gel/marker_gel_file.h"
 #include "devices/bracelet/hid_bracelet.h"
@@ -254,6 +255,8 @@ QString withoutFrames(const taxels::TaxelsProbe& probe, const std::string& kind)
 
 core::Expected<FoundDevice> probeStream(const std::string& path, const std::string& kind, std::size_t bytes) {
     TELETA_TRY(auto file, taxels::readTaxels(path));
+    if (!file.loads.empty())
+        TELETA_CHECK(pipeline::FrameLoads::read(file.loads, file.grid.layout(), file.grid.loadUnit()));
     FoundDevice found{.kind = kind, .name = file.name, .where = link::displayName(file.address)};
     auto probe = taxels::probeTaxels(file, {.bytes = bytes}, [] { return interrupted(); });
     found.error = errorOf(probe);
