@@ -116,7 +116,8 @@ void HeatmapView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
 
 void HeatmapView::setLoads(const std::optional<pipeline::LoadReading>& loads) {
     m_content.loads.clear();
-    m_content.extrapolated = loads && loads->at.extrapolated;
+    // A signal that is not defined in this frame gives no load, which lies nowhere.
+    m_content.extrapolated = loads && loads->at.extrapolated && loads->at.loads.allFinite();
     static constexpr std::array kNames{QT_TR_NOOP("load"), QT_TR_NOOP("load along x"),
                                        QT_TR_NOOP("load along y"), QT_TR_NOOP("moment")};
     static_assert(kNames.size() == equilibration::kLoadColumns.size());
@@ -130,10 +131,11 @@ void HeatmapView::setLoads(const std::optional<pipeline::LoadReading>& loads) {
         const double scale = isMoment ? kMillinewtonmetres : 1.0;
         m_loads[at].update(scale * loads->at.loads[static_cast<Eigen::Index>(i)]);
         m_loadErrors[at].update(scale * loads->at.errors[static_cast<Eigen::Index>(i)]);
+        const QString number = m_loads[at].shown() ? m_loads[at].text() + QStringLiteral(" \u00b1 ") +
+                                                         m_loadErrors[at].text().remove(QChar(0x2007))
+                                                   : m_loads[at].text();
         m_content.loads.push_back(
-            {tr(kNames[at]), base::withUnit(m_loads[at].text() + QStringLiteral(" \u00b1 ") +
-                                                m_loadErrors[at].text().remove(QChar(0x2007)),
-                                            isMoment ? QStringLiteral("mNm") : QStringLiteral("N"))});
+            {tr(kNames[at]), base::withUnit(number, isMoment ? QStringLiteral("mNm") : QStringLiteral("N"))});
     }
     update();
 }

@@ -14,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -119,9 +118,7 @@ protected:
         tactors.shape = {6};
         StreamInfo vectors = test::arrayInfo("vectors");
         vectors.shape = {3, 3};
-        vectors.columns.clear();
-        for (const char* name : {"t0_x", "t0_y", "t0_z", "t1_x", "t1_y", "t1_z", "t2_x", "t2_y", "t2_z"})
-            vectors.columns.push_back({name, vectors.unit});
+        vectors.columns = pipeline::componentColumns({core::ArrayLayout{1, 3}, 3}, vectors.unit);
         vectors.details = R"({"components":3,"positions_m":[[0,0,0],[0.004,0.001,0],[0.009,0,0.002]]})";
         const StreamInfo all[] = {array,
                                   vectors,
@@ -292,9 +289,8 @@ void points(std::string& bytes, const std::vector<std::string>& names, const std
     cdr.number(step * width);
     std::string data;
     for (const double number : numbers) {
-        std::array<char, sizeof(double)> copy = std::bit_cast<std::array<char, sizeof(double)>>(number);
-        std::ranges::reverse(copy);
-        data.append(copy.data(), copy.size());
+        const auto copy = std::bit_cast<std::array<char, sizeof(double)>>(number);
+        data.append(copy.rbegin(), copy.rend());
     }
     cdr.byteSequence({data.data(), data.size()});
     cdr.number(std::uint8_t{1});

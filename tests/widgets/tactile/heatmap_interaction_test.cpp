@@ -11,6 +11,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <limits>
+#include <memory>
+#include <optional>
+
 using namespace teleta;
 using namespace teleta::tactile;
 using teleta::test::hover;
@@ -71,6 +75,25 @@ private slots:
         next.load_N[static_cast<std::size_t>(3 * kArray.columns + 7)] = 0.75F;
         m_view->setSnapshot(next);
         QVERIFY(m_view->readout().contains(QStringLiteral("0.75")));
+    }
+
+    void loadsByACalibrationHaveTheirErrors() {
+        QVERIFY(m_view->loadsText().isEmpty());
+        const auto read = [&](double force_N, double moment_Nm, bool extrapolated) {
+            pipeline::LoadReading reading{1, {"force_n", "moment_nm"}, {}};
+            reading.at.loads = Eigen::Vector2d(force_N, moment_Nm);
+            reading.at.errors = Eigen::Vector2d(0.05, 0.0002);
+            reading.at.extrapolated = extrapolated;
+            m_view->setLoads(reading);
+            return m_view->loadsText().remove(QChar(0x2007)).replace(QChar(0xA0), QLatin1Char(' '));
+        };
+        QCOMPARE(read(1.25, -0.003, false),
+                 QStringLiteral("load 1.25 \u00b1 0.05 N, moment \u22123.00 \u00b1 0.20 mNm"));
+        QVERIFY(read(8.0, 0.0, true).endsWith(QStringLiteral(", extrapolated")));
+        constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(read(kNaN, kNaN, true), QStringLiteral("load \u2014 N, moment \u2014 mNm"));
+        m_view->setLoads(std::nullopt);
+        QVERIFY(m_view->loadsText().isEmpty());
     }
 
     void arrowKeysMoveTheReadoutAndStopAtTheBorder() {
