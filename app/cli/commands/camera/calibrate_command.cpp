@@ -129,7 +129,7 @@ public:
 
     [[nodiscard]] core::Expected<void> run() {
         if (m_pairsPath.empty() && !(m_plane.isWanted() && m_plane.hasRuler()))
-            refuse("PAIRS", CalibrateText::tr("a file is needed"));
+            refuse("pairs", CalibrateText::tr("a file is needed"));
         refuseToReplace(m_outPath, std::array{m_pairsPath});
         if (m_plane.isWanted())
             return m_plane.run(m_pairsPath, m_outPath, m_json);
