@@ -30,7 +30,8 @@ public:
     Number next() {
         Number number{};
         const std::size_t count = std::min(sizeof number, m_bytes.size());
-        std::memcpy(&number, m_bytes.data(), count);
+        if (count > 0) // no bytes may have no address
+            std::memcpy(&number, m_bytes.data(), count);
         m_bytes = m_bytes.subspan(count);
         return number;
     }
