@@ -39,6 +39,11 @@ core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::Record
                                                           std::move(source.array.settings));
     if (!source.jointStream)
         return array;
+    if (const auto pad = player->config().arm.pad) {
+        TELETA_TRY(auto arm, pipeline::ArmChannel::withPad(std::make_unique<replay::RecordedArm>(player),
+                                                           std::move(array), std::move(source.chain), *pad));
+        return Opened(std::move(arm));
+    }
     return std::make_shared<pipeline::ArmChannel>(std::make_unique<replay::RecordedArm>(player),
                                                   std::move(array));
 }

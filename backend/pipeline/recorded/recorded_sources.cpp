@@ -38,13 +38,14 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
             why = why.value_or(array.error());
             continue;
         }
-        sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
+        sources.push_back(
+            {.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}, .chain = {}});
     }
     return sources;
 }
 
 /// Gives each arm to the array that it wears; one that was recorded without a skin is a source of its own.
-/// One whose skin cannot be played is left out.
+/// One whose skin cannot be played is left out, but for an arm with a pad, which can be shown without it.
 core::Expected<void> addArms(const Recording& recording, RecordedSources& sources,
                              std::optional<core::Error>& why) {
     const std::vector<StreamInfo>& streams = recording.streams();
@@ -62,7 +63,8 @@ core::Expected<void> addArms(const Recording& recording, RecordedSources& source
         if (skin != sources.arrays.end()) {
             skin->jointStream = i;
             skin->arm = std::move(arm->description);
-        } else if (arm->skinStream.empty()) {
+            skin->chain = std::move(arm->chain);
+        } else if (arm->skinStream.empty() || arm->description.pad) {
             TELETA_TRY(const auto extent, recording.extent(i));
             if (extent)
                 sources.arms.push_back({i, std::move(arm->description), std::move(arm->chain)});

@@ -22,6 +22,7 @@ struct RecordedSource {
     RecordedArray array;
     std::optional<std::size_t> jointStream; ///< empty: the array was on its own
     core::ArmDescription arm;
+    std::shared_ptr<const arm_model::SerialChain> chain; ///< as RecordedArm::chain
 };
 
 /// An arm of a recording that wears no array.

@@ -10,7 +10,7 @@
 #include <vector>
 
 using namespace teleta;
-using pipeline::kElbow;
+
 using pipeline::TouchEstimator;
 using pipeline::TouchEstimatorSettings;
 using pipeline::TouchRecord;
@@ -22,6 +22,7 @@ using test::TouchRun;
 
 namespace {
 
+constexpr std::size_t kElbow = 3;
 constexpr double kMaterials_NPerM[] = {stiffness::kSpongeStiffness_NPerM,
                                        stiffness::kRubberSpongeStiffness_NPerM,
                                        stiffness::kRubberStiffness_NPerM, stiffness::kWoodStiffness_NPerM};
