@@ -114,9 +114,9 @@ void JointViews::loadRobot() {
         });
 }
 
-void JointViews::setTouching(bool touching) {
-    m_chart->setWindow(touching ? std::optional(stiffness::TorqueWindow()) : std::nullopt);
-    if (!touching && m_arm)
+void JointViews::setTouching(const std::optional<stiffness::TorqueWindow>& window) {
+    m_chart->setWindow(window);
+    if (!window && m_arm)
         m_chart->setAnglesShown(true);
 }
 
