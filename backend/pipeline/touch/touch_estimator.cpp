@@ -280,7 +280,7 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
     // Once the elbow has felt the touch, a sample that only another joint feels belongs to the release; once
     // the skin feels nothing any more, what the joints feel is the inertia of the retreat.
     if (std::abs(torque_Nm[joint]) > threshold_Nm && anyPhaseIs(ContactPhase::contact) &&
-        (elbowFeels || !m_touch.elbowFelt) && (!m_touch.skinLeft || !m_touch.passed_s)) {
+        (elbowFeels || !m_touch.elbowFelt) && (!m_touch.skinLeft_ns || !m_touch.passed_s)) {
         m_touch.elbowFelt = elbowFeels;
         m_touch.loaded = sample;
         m_touch.torque_Nm = torque_Nm;
@@ -311,7 +311,11 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
 bool TouchEstimator::isComplete(const JointSample& sample, bool allFree) const {
     if (!m_touch.passed_s)
         return false;
-    if (allFree || m_touch.skinLeft)
+    if (allFree)
+        return true;
+    // A frame of a skin may be empty in the middle of a touch.
+    if (m_touch.skinLeft_ns &&
+        hasPassed(1e-9 * static_cast<double>(sample.time_ns - *m_touch.skinLeft_ns), m_settings.release_s))
         return true;
     const double now_s = sample.sourceTime_s;
     if (m_touch.elbowPassed_s) {
@@ -331,14 +335,15 @@ std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
     if (contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
         std::isgreaterequal(contact.force_N, m_settings.leastSkinForce_N)) {
         m_skin = contact;
-        m_touch.skinLeft = false;
+        m_touch.skinLeft_ns.reset();
         const double slack_ns = 1e9 * m_settings.skinSlack_s;
         const bool open = m_touch.stage == Stage::rising || m_touch.stage == Stage::complete;
         if (open && static_cast<double>(m_touch.first.time_ns - contact.time_ns) <= slack_ns)
             addToPlace(contact);
     } else {
         m_skin.reset();
-        m_touch.skinLeft = m_touch.place.has_value();
+        if (m_touch.place && !m_touch.skinLeft_ns)
+            m_touch.skinLeft_ns = contact.time_ns;
     }
     return recordWhenLocated(false);
 }

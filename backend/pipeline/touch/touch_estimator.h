@@ -44,7 +44,8 @@ struct TouchEstimatorSettings {
         2.0; ///< a torque that stays, without the skin feeling a touch, is a new reference
     /// A reference that is accelerated more than this moves the links' inertia.
     double inertia_radPerS2 = 0.2;
-    double release_s = 0.02; ///< a touch has ended when all joints have been free for so long
+    /// A touch has ended when all joints have been free, or the skin has felt nothing of it, for so long.
+    double release_s = 0.02;
 };
 
 /// The settings with these torques; the force's noise is a fifth of the floor, which is five times the noise.
@@ -150,9 +151,9 @@ private:
         double complete_s = 0.0;
         double free_s = 0.0; ///< since when all joints are free again
         bool reachedWindow = false;
-        bool skinLeft = false;    ///< the skin felt the contact and feels it no more
-        bool accelerated = false; ///< the arm sped up or slowed down in it, or shortly before
-        bool elbowFelt = false;   ///< the elbow is over the threshold in that sample
+        std::optional<std::int64_t> skinLeft_ns; ///< since when the skin, which felt it, feels it no more
+        bool accelerated = false;                ///< the arm sped up or slowed down in it, or shortly before
+        bool elbowFelt = false;                  ///< the elbow is over the threshold in that sample
         std::optional<Place> place;
     };
     struct Motion {

@@ -417,6 +417,20 @@ TEST(TouchEstimator, standardErrorsOfSkinAndElbowEnterThatOfTheObject) {
                 std::hypot(object.se_mPerN.value(), ofElbow_mPerN), 0.01 * ofElbow_mPerN);
 }
 
+TEST(TouchEstimator, anEmptyFrameOfTheSkinEndsNoTouch) {
+    TouchRun run(ScriptedArm{});
+    run.idle(100);
+    run.elbowTo(0.03, 300);
+    const auto phases = run.estimator.phases();
+    ASSERT_TRUE(std::ranges::count(phases, ContactPhase::contact) > 0) << "another joint is beyond it";
+    ASSERT_EQ(phases[kElbow], ContactPhase::transition);
+    EXPECT_FALSE(run.estimator.update(run.arm.skin(0.0)));
+    run.elbowTo(0.08, 500);
+    ASSERT_EQ(run.records.size(), 1U);
+    EXPECT_EQ(run.records.front().joint, kElbow);
+    EXPECT_TRUE(run.records.front().stiffness);
+}
+
 TEST(TouchEstimator, doesNotLearnAHeldTouchAsReference) {
     TouchRun run(ScriptedArm{});
     run.idle(100);
