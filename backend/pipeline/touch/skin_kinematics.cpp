@@ -4,13 +4,16 @@
 #include "backend/arm/arm4_kinematics.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/failure.h"
+#include "backend/core/quantile.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <numbers>
-#include <optional>
+#include <random>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace teleta::pipeline {
 
@@ -88,28 +91,38 @@ private:
     Eigen::Isometry3d m_X_Link_Sensor;
 };
 
-/// The middle of a joint's range; 0 where that is not known.
-double middleOf(const arm_model::ModelJoint& joint) {
-    const double middle = 0.5 * (joint.lowest + joint.highest);
-    return std::isfinite(middle) ? middle : 0.0;
+/// The share of a joint's range; of a turn where it has none.
+double angleAt(const arm_model::ModelJoint& joint, double share) {
+    const bool isBounded = std::isfinite(joint.lowest) && std::isfinite(joint.highest);
+    return isBounded ? joint.lowest + share * (joint.highest - joint.lowest)
+                     : (2.0 * share - 1.0) * std::numbers::pi;
 }
 
 bool turns(const arm_model::ModelJoint& joint) {
     return joint.type != arm_model::JointType::prismatic;
 }
 
-/// Lever of a joint about the pad's centre, with all joints in the middle of their ranges.
-double lever_m(const arm_model::SerialChain& toLink, const core::PadPlacement& pad, std::size_t joint) {
-    JointVector middle = JointVector::zeros(toLink.joints());
-    for (std::size_t i = 0; i < middle.size(); ++i)
-        middle[i] = middleOf(toLink.joint(i));
-    return LinkPad(toLink, pad, joint, JointVector::zeros(toLink.joints())).at(middle, 0.0, 0.0).lever_m();
+/// Median of the lever of a joint about the pad's centre, over poses all over the joints' ranges: in the
+/// middle of them an arm is often stretched, where few joints have one.
+double usualLever_m(const arm_model::SerialChain& toLink, const core::PadPlacement& pad, std::size_t joint) {
+    constexpr std::size_t kPoses = 65;
+    const LinkPad skin(toLink, pad, joint, JointVector::zeros(toLink.joints()));
+    std::mt19937_64 random(1);
+    std::vector<double> levers_m;
+    for (std::size_t pose = 0; pose < kPoses; ++pose) {
+        JointVector angle_rad = JointVector::zeros(toLink.joints());
+        for (std::size_t i = 0; i < angle_rad.size(); ++i)
+            angle_rad[i] = angleAt(toLink.joint(i), static_cast<double>(random()) /
+                                                        static_cast<double>(std::mt19937_64::max()));
+        levers_m.push_back(skin.at(angle_rad, 0.0, 0.0).lever_m());
+    }
+    return core::medianOf(levers_m);
 }
 
 core::Expected<std::size_t> pressingJointOf(const arm_model::SerialChain& toLink,
                                             const core::PadPlacement& pad) {
     const auto presses = [&](std::size_t joint) {
-        return turns(toLink.joint(joint)) && lever_m(toLink, pad, joint) >= kLeastLever_m;
+        return turns(toLink.joint(joint)) && usualLever_m(toLink, pad, joint) >= kLeastLever_m;
     };
     std::string before;
     for (std::size_t i = toLink.joints(); i-- > 0;) {

@@ -78,8 +78,8 @@ private:
 
 /// A flat pad on an arm that is known by its URDF. chain: not null. Error: notFound, the arm has no such link
 /// or joint; badInput, joints that are not the chain's move the link, or the joint does not press the pad: it
-/// slides, is behind the pad, or has a lever under kLeastLever_m. Without a named joint the last one with
-/// such a lever is taken, with all joints in the middle of their ranges.
+/// slides or is behind the pad. Without a named joint the last one that has a lever of kLeastLever_m or more
+/// in half of all poses is taken; badInput where none has.
 [[nodiscard]] core::Expected<std::shared_ptr<const SkinKinematics>>
 padOnLink(const std::shared_ptr<const arm_model::SerialChain>& chain, const core::PadPlacement& pad);
 

@@ -101,6 +101,8 @@ TEST(SkinKinematics, theLastJointWithALeverPresses) {
     pad.joint.clear();
     pad.position_m = {0.0, 0.05, 0.1};
     EXPECT_EQ(pressing(pad), 4U);
+    // At the tip, facing forward: the last three joints meet in the pad's normal, or turn it along itself.
+    EXPECT_EQ(pressing({.link = "tool0", .position_m = {0.0, 0.0, 0.02}}), 3U);
 }
 
 TEST(SkinKinematics, itsJointsAreSpringsInSeries) {
