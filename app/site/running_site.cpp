@@ -2,10 +2,13 @@
 #include "app/site/running_site.h"
 
 #include "app/common/version.h"
+#include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/joint_channel.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/pipeline/touch/skin_kinematics.h"
 #include "devices/ros/arm_fault.h"
 #include "devices/ros/ros_arm.h"
 #include "devices/site/boot_name.h"
@@ -105,6 +108,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
             return core::Unexpected(device.error);
     }
     TELETA_CHECK(site->checkRequired());
+    TELETA_CHECK(site->placePads(file));
     site_link::SiteStreams::Pictures pictures;
     for (const SiteDevice& device : file.devices)
         pictures.emplace(device.id, device.pictures);
@@ -176,6 +180,44 @@ core::Expected<void> RunningSite::openDevices(const SiteFile& file, const std::f
             }
         }
         std::this_thread::sleep_for(kOpenLook);
+    }
+    return {};
+}
+
+core::Expected<void> RunningSite::placePads(const SiteFile& file) {
+    for (const SiteDevice& device : file.devices) {
+        if (!device.pad)
+            continue;
+        const auto place = [&](const QString& message) {
+            return core::failed(
+                core::ErrorKind::badInput,
+                RunningSiteText::tr("the frame of %1: %2").arg(QString::fromStdString(device.id), message),
+                RunningSiteText::tr("a link of one arm of the site"));
+        };
+        pipeline::JointChannel* wearer = nullptr;
+        for (const Device& other : m_devices) {
+            auto* joints = dynamic_cast<pipeline::JointChannel*>(other.channel.get());
+            if (joints == nullptr || !joints->chain() || !joints->chain()->model().findLink(device.pad->link))
+                continue;
+            if (wearer != nullptr)
+                return place(RunningSiteText::tr("several arms have the link %1")
+                                 .arg(QString::fromStdString(device.pad->link)));
+            wearer = joints;
+        }
+        if (wearer == nullptr)
+            return place(
+                RunningSiteText::tr("no arm has the link %1").arg(QString::fromStdString(device.pad->link)));
+        core::PadPlacement pad = *device.pad;
+        const auto* arm = dynamic_cast<const ros_arm::RosArm*>(&wearer->device());
+        if (arm != nullptr && arm->file().touch) {
+            pad = arm->file().touch->pad;
+            pad.link = device.pad->link;
+            pad.position_m = device.pad->position_m;
+            pad.rollPitchYaw_rad = device.pad->rollPitchYaw_rad;
+        }
+        if (const auto usable = pipeline::padOnLink(wearer->chain(), pad); !usable)
+            return place(QString::fromStdString(core::describe(usable.error())));
+        wearer->wearPad(pad, pipeline::framesStreamName(device.id));
     }
     return {};
 }

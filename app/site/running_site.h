@@ -59,6 +59,9 @@ private:
     /// Error: cancelled.
     [[nodiscard]] core::Expected<void> openDevices(const SiteFile& file,
                                                    const std::function<bool()>& cancelled);
+    /// Tells the arms which arrays they wear. Error: badInput, no arm has the link, or several have it, or
+    /// it cannot bear a pad.
+    [[nodiscard]] core::Expected<void> placePads(const SiteFile& file);
     /// Error: badInput, an arm requires a device that the site does not have.
     [[nodiscard]] core::Expected<void> checkRequired() const;
     [[nodiscard]] core::Expected<void> startRecording(const SiteFile& file, const std::string& folder);

@@ -5,6 +5,7 @@
 #include "backend/core/beside_file.h"
 #include "backend/core/keys/toml_keys.h"
 #include "backend/core/keys/toml_table.h"
+#include "devices/ros/files/ros_file_keys.h"
 #include "devices/site/remote_site_file.h"
 #include "devices/site/site_topics.h"
 
@@ -69,6 +70,25 @@ site_link::PictureSettings readPictures(TomlTable& table) {
     return pictures;
 }
 
+/// Where on an arm an array is.
+std::optional<core::PadPlacement> readPad(TomlTable& table) {
+    core::PadPlacement pad;
+    if (!table.has("frame")) {
+        if (table.has("pose"))
+            table.fail("pose", SiteFileText::tr("a pose needs a frame").toStdString(),
+                       SiteFileText::tr("frame = \"the link of the arm\"").toStdString());
+        return std::nullopt;
+    }
+    pad.link = table.text("frame");
+    ros_arm::readPose(table, pad);
+    return pad;
+}
+
+bool isArray(const app::SourceRequest& request) {
+    return std::holds_alternative<app::WtsRequest>(request) ||
+           std::holds_alternative<app::TaxelsRequest>(request);
+}
+
 void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
     std::vector<app::SourceRequest> requests;
     std::string id;
@@ -99,6 +119,8 @@ void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
         SiteDevice device{id, std::move(request)};
         if (std::holds_alternative<app::SceneCameraRequest>(device.request))
             device.pictures = readPictures(table);
+        if (isArray(device.request))
+            device.pad = readPad(table);
         site.devices.push_back(std::move(device));
     }
     table.finish();

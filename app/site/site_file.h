@@ -2,11 +2,13 @@
 #pragma once
 
 #include "app/sources/source_request.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "backend/site/control_arbiter.h"
 #include "devices/site/image/picture_budget.h"
 #include "devices/site/operator_domain.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,6 +21,8 @@ struct SiteDevice {
     std::string id; ///< as consoles see it: site_link::isSiteName()
     app::SourceRequest request;
     site_link::PictureSettings pictures = {}; ///< of a camera
+    /// Of an array on an arm of the site: its link, and its pose there.
+    std::optional<core::PadPlacement> pad = {};
 };
 
 /// What is at the robot's place (kind = "site"), as a TOML file describes it.

@@ -33,12 +33,18 @@ core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::Record
     config.stream = source.arrayStream;
     config.array = std::move(source.array.description);
     config.jointStream = source.jointStream;
+    config.wrenchStream = source.wrenchStream;
     config.arm = std::move(source.arm);
     TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
     auto array = std::make_shared<pipeline::TouchChannel>(std::make_unique<replay::RecordedArray>(player),
                                                           std::move(source.array.settings));
     if (!source.jointStream)
         return array;
+    if (const auto pad = player->config().arm.pad) {
+        TELETA_TRY(auto arm, pipeline::ArmChannel::withPad(std::make_unique<replay::RecordedArm>(player),
+                                                           std::move(array), std::move(source.chain), *pad));
+        return Opened(std::move(arm));
+    }
     return std::make_shared<pipeline::ArmChannel>(std::make_unique<replay::RecordedArm>(player),
                                                   std::move(array));
 }
@@ -46,6 +52,7 @@ core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::Record
 core::Expected<Opened> openJoints(replay::RecordedConfig config, const pipeline::RecordedJoints& source) {
     config.stream = source.stream;
     config.arm = source.arm;
+    config.wrenchStream = source.wrenchStream;
     config.jointsAlone = true;
     TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
     return std::make_shared<pipeline::JointChannel>(

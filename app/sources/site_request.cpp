@@ -18,6 +18,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace teleta::app {
@@ -47,6 +49,17 @@ openSkin(const std::shared_ptr<site_link::SiteClient>& site, const std::string& 
     return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
 }
 
+/// The device whose frames are the skin of this arm; nothing: it has none, or the site does not send it.
+core::Expected<std::optional<std::string>> skinOf(const site_link::SiteClient& site,
+                                                  const StreamInfo& joints) {
+    TELETA_TRY(const pipeline::RecordedArm arm, pipeline::recordedArm(joints, site.file().name));
+    for (const StreamInfo& stream : site.streams()) {
+        if (stream.kind == StreamKind::array && stream.name == arm.skinStream)
+            return site_link::deviceOf(stream);
+    }
+    return std::nullopt;
+}
+
 core::Expected<std::shared_ptr<pipeline::Channel>>
 openCamera(const std::shared_ptr<site_link::SiteClient>& site, const std::string& device,
            const StreamInfo& stream) {
@@ -63,9 +76,18 @@ core::Expected<SiteDevices> siteDevicesOf(const std::string& path, const core::S
     SiteDevices found;
     TELETA_TRY(found.site,
                site_link::SiteClient::open(file, app::version().text().toStdString(), stop, cancelled));
+    // What an arm wears is opened with the arm.
+    std::set<std::string> worn;
+    for (const StreamInfo& stream : found.site->streams()) {
+        if (stream.kind != StreamKind::joints)
+            continue;
+        TELETA_TRY(const auto skin, skinOf(*found.site, stream));
+        if (skin && *skin != site_link::deviceOf(stream))
+            worn.insert(*skin);
+    }
     for (const StreamInfo& stream : found.site->streams()) {
         const std::string device = site_link::deviceOf(stream);
-        if (!device.empty() &&
+        if (!device.empty() && !worn.contains(device) &&
             std::ranges::find(found.devices, device, &SiteRequest::device) == found.devices.end())
             found.devices.push_back({path, file.name, device, found.site});
     }
@@ -84,19 +106,30 @@ openRemote(const std::shared_ptr<site_link::SiteClient>& site, const SiteRequest
             SiteRequestText::tr("the site to be connected again"));
     const std::string& device = request.device;
     const StreamInfo* joints = findStream(*site, device, StreamKind::joints);
-    const StreamInfo* frames = findStream(*site, device, StreamKind::array);
     if (const StreamInfo* pictures = findStream(*site, device, StreamKind::camera))
         return openCamera(site, device, *pictures);
+    std::string skinDevice = device;
+    if (joints != nullptr) {
+        TELETA_TRY(const auto worn, skinOf(*site, *joints));
+        skinDevice = worn.value_or(device);
+    }
     std::shared_ptr<pipeline::TouchChannel> skin;
-    if (frames != nullptr) {
-        TELETA_TRY(skin, openSkin(site, device, *frames));
+    if (const StreamInfo* frames = findStream(*site, skinDevice, StreamKind::array)) {
+        TELETA_TRY(skin, openSkin(site, skinDevice, *frames));
     }
     if (joints == nullptr)
         return skin;
     TELETA_TRY(pipeline::RecordedArm arm, pipeline::recordedArm(*joints, site->file().name));
     arm.description.recorded = false;
+    const std::optional<core::PadPlacement> pad = arm.description.pad;
     const bool hasWrench = findStream(*site, device, StreamKind::wrench) != nullptr;
     TELETA_TRY(auto source, site_link::RemoteArm::open(site, device, arm.description, hasWrench));
+    if (skin != nullptr && pad) {
+        TELETA_TRY(auto channel,
+                   pipeline::ArmChannel::withPad(std::move(source), std::move(skin), std::move(arm.chain),
+                                                 *pad, site->file().meshPath));
+        return channel;
+    }
     if (skin != nullptr)
         return std::make_shared<pipeline::ArmChannel>(std::move(source), std::move(skin));
     return std::make_shared<pipeline::JointChannel>(std::move(source), std::move(arm.chain),

@@ -210,7 +210,20 @@ core::Expected<Opened> openModbusJoints(const std::string& path) {
     return std::make_shared<pipeline::JointChannel>(std::move(joints));
 }
 
-/// An arm without a skin: what it touches is not known.
+/// The pad that an arm's file names: an array with a file of its own, or the only source of a list.
+core::Expected<std::shared_ptr<pipeline::TouchChannel>>
+openPad(const std::string& path, const core::StopSwitch& stop, const std::function<bool()>& cancelled) {
+    TELETA_TRY(auto list, readSourceList(path));
+    const bool isOne = list.size() == 1 && (std::holds_alternative<TaxelsRequest>(list.front()) ||
+                                            std::holds_alternative<WtsRequest>(list.front()));
+    if (!isOne)
+        return core::failed(core::ErrorKind::badInput, SourceText::tr("it is not the file of one pad"),
+                            SourceText::tr("an array, or a list with one: taxels or wts"), {path});
+    TELETA_TRY(const auto opened, makeSourceFactory(std::move(list.front()), stop, cancelled)());
+    return std::dynamic_pointer_cast<pipeline::TouchChannel>(opened);
+}
+
+/// Without a pad what the arm touches is not known.
 core::Expected<Opened> openArm(const ArmRequest& request, const core::StopSwitch& stop,
                                const std::function<bool()>& cancelled) {
     if (isModbusFile(request.path))
@@ -218,7 +231,12 @@ core::Expected<Opened> openArm(const ArmRequest& request, const core::StopSwitch
     TELETA_TRY(const auto file, ros_arm::readRosArm(request.path));
     TELETA_TRY(auto arm, ros_arm::RosArm::open(file, stop, cancelled, request.required));
     auto chain = arm->sharedChain();
-    return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain), file.meshPath);
+    if (!file.touch || file.touch->array.empty())
+        return std::make_shared<pipeline::JointChannel>(std::move(arm), std::move(chain), file.meshPath);
+    TELETA_TRY(auto pad, openPad(file.touch->array, stop, cancelled));
+    TELETA_TRY(auto channel, pipeline::ArmChannel::withPad(std::move(arm), std::move(pad), std::move(chain),
+                                                           file.touch->pad, file.meshPath));
+    return channel;
 }
 
 core::Expected<Opened> openScene(const SceneRequest& request, const core::StopSwitch& stop) {

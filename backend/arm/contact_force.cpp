@@ -10,9 +10,11 @@
 
 namespace teleta::arm {
 
-tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& jacobian,
-                                                           const JointVector& torque_Nm,
+tl::expected<ContactForce, ForceRefusal> solveContactForce(const AnyPointJacobian& jacobian,
+                                                           const AnyJointVector& torque_Nm,
                                                            const ForceSettings& settings) {
+    if (jacobian.cols() == 0 || jacobian.cols() != torque_Nm.size())
+        return tl::unexpected(ForceRefusal::badSetting);
     // Not allFinite(), which subtracts infinities and raises "invalid".
     if (!jacobian.array().isFinite().all() || !torque_Nm.array().isFinite().all() ||
         !std::isfinite(settings.torqueNoise_Nm) || !std::isfinite(settings.leastLever_m))
@@ -23,9 +25,11 @@ tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& 
     if (settings.leastLever_m < 1.0 / kLargestInput || settings.torqueNoise_Nm < 0.0)
         return tl::unexpected(ForceRefusal::badSetting);
 
-    const Eigen::JacobiSVD<PointJacobian> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<AnyPointJacobian> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
     ContactForce contact;
-    contact.levers_m = svd.singularValues();
+    // Fewer than three joints leave directions without a lever.
+    const Eigen::Index levers = svd.singularValues().size();
+    contact.levers_m.head(levers) = svd.singularValues();
     contact.directions = svd.matrixU();
     Eigen::Vector3d variance_N2 = Eigen::Vector3d::Zero();
     for (int i = 0; i < 3; ++i) {
@@ -34,7 +38,8 @@ tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& 
         const double lever = contact.levers_m[i] / settings.leastLever_m;
         const double damping2 = lever < 1.0 ? 0.25 * (1.0 - lever * lever) : 0.0;
         const double gain_perM = lever / (lever * lever + damping2) / settings.leastLever_m;
-        contact.force_N += direction * (gain_perM * svd.matrixV().col(i).dot(torque_Nm));
+        if (i < levers)
+            contact.force_N += direction * (gain_perM * svd.matrixV().col(i).dot(torque_Nm));
         if (lever < 1.0) {
             contact.hidden += direction * direction.transpose();
         } else {

@@ -9,11 +9,17 @@
 
 namespace teleta::arm {
 
+/// Joint angles or torques of an arm with up to kMostJoints joints, and the derivative of a point's position
+/// by the angles, as PointJacobian; neither uses the heap.
+inline constexpr int kMostJoints = 16;
+using AnyJointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
+using AnyPointJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMostJoints>;
+
 /// Why there is no force.
 enum class ForceRefusal {
     notFinite,  ///< the Jacobian, a torque or a setting is NaN or infinite
     outOfRange, ///< one of them exceeds 1e100
-    badSetting, ///< leastLever_m <= 0 or torqueNoise_Nm < 0
+    badSetting, ///< leastLever_m <= 0, torqueNoise_Nm < 0, or not a torque for each joint
 };
 
 struct ForceSettings {
@@ -46,10 +52,11 @@ inline constexpr double kHiddenShare = 0.05;
 /// Exact while every lever is longer than e. A direction with a shorter lever is marked as hidden and fades
 /// continuously to zero, so that noise is never amplified by more than 1.2/e. With the arm stretched and the
 /// contact on its centre line this is the force along the arm; for a contact on the axis of a joint, the
-/// force through the other axes. torque_Nm: of the contact alone, without gravity and friction. Thread: any
-/// (pure). Source: TeleTA, section 1; damping by Nakamura and Hanafusa (1986), per singular value.
-[[nodiscard]] tl::expected<ContactForce, ForceRefusal> solveContactForce(const PointJacobian& jacobian,
-                                                                         const JointVector& torque_Nm,
+/// force through the other axes. torque_Nm: of the contact alone, without gravity and friction, one a column
+/// of the Jacobian; otherwise, and without a joint, ForceRefusal::badSetting. Thread: any (pure). Source:
+/// TeleTA, section 1; damping by Nakamura and Hanafusa (1986), per singular value.
+[[nodiscard]] tl::expected<ContactForce, ForceRefusal> solveContactForce(const AnyPointJacobian& jacobian,
+                                                                         const AnyJointVector& torque_Nm,
                                                                          const ForceSettings& settings = {});
 
 } // namespace teleta::arm

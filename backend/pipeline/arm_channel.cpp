@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/arm_channel.h"
 
+#include "backend/core/failure.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/pipeline/touch/skin_contact.h"
 #include "backend/recording/recorder.h"
@@ -14,9 +15,29 @@ namespace teleta::pipeline {
 
 ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
                        const ArmSettings& settings)
-    : JointChannel(std::move(arm))
+    : ArmChannel(std::move(arm), std::move(skin), settings, nullptr, nullptr, {}) {
+}
+
+core::Expected<std::shared_ptr<ArmChannel>>
+ArmChannel::withPad(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
+                    std::shared_ptr<const arm_model::SerialChain> chain, const core::PadPlacement& pad,
+                    std::string meshFolder) {
+    TELETA_TRY(auto skinAt, padOnLink(chain, pad));
+    ArmSettings settings;
+    settings.touch = touchSettings(pad.torques);
+    std::shared_ptr<ArmChannel> channel(new ArmChannel(std::move(arm), std::move(skin), settings,
+                                                       std::move(skinAt), std::move(chain),
+                                                       std::move(meshFolder)));
+    channel->wearPad(pad, {});
+    return channel;
+}
+
+ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
+                       const ArmSettings& settings, std::shared_ptr<const SkinKinematics> skinAt,
+                       std::shared_ptr<const arm_model::SerialChain> chain, std::string meshFolder)
+    : JointChannel(std::move(arm), std::move(chain), std::move(meshFolder))
     , m_skin(std::move(skin))
-    , m_estimator(description(), settings.touch)
+    , m_estimator(description(), settings.touch, std::move(skinAt))
     , m_found(settings.contour)
     , m_touches(kHistoryTouches) {
     m_settingsInUse.set(settings);

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,12 @@ public:
     /// arm: not null. skin: of the same arm, not null.
     ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
                const ArmSettings& settings = {});
+    /// An arm that is known by its URDF, with a pad on one of its links, and with the torques of touches that
+    /// the pad's placement says. chain: not null. meshFolder: as of JointChannel. Error: that of padOnLink().
+    [[nodiscard]] static core::Expected<std::shared_ptr<ArmChannel>>
+    withPad(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
+            std::shared_ptr<const arm_model::SerialChain> chain, const core::PadPlacement& pad,
+            std::string meshFolder = {});
     ~ArmChannel() override;
 
     [[nodiscard]] ChannelSummary summary() const override {
@@ -110,6 +117,11 @@ public:
     std::size_t process() override;
 
 private:
+    /// skinAt: null for the skin around a forearm.
+    ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<TouchChannel> skin,
+               const ArmSettings& settings, std::shared_ptr<const SkinKinematics> skinAt,
+               std::shared_ptr<const arm_model::SerialChain> chain, std::string meshFolder);
+
     bool takeCommands(); ///< true when a view may see a change
     void take(TouchRecord&& touch);
     /// Adds it to the objects. Of a recording, a touch that is played again is not another one.

@@ -23,6 +23,11 @@ JointChannel::~JointChannel() {
     m_arm->stop();
 }
 
+void JointChannel::wearPad(const core::PadPlacement& pad, std::string framesStream) {
+    m_pad = pad;
+    m_padStream = std::move(framesStream);
+}
+
 ChannelSummary JointChannel::summary() const {
     const core::ArmDescription& arm = description();
     return {arm.name, arm.nominalRate_Hz, arm.simulated, arm.recorded, arm.guarded};
@@ -39,12 +44,12 @@ bool JointChannel::hasProgram() const {
 }
 
 void JointChannel::record(const std::shared_ptr<recording::Recorder>& recorder, const std::string& name) {
-    recordJoints(recorder.get(), name, {});
+    recordJoints(recorder.get(), name, m_padStream);
 }
 
 void JointChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSink>& sink,
                          const std::string& name) {
-    watchJoints(who, sink.get(), name, {});
+    watchJoints(who, sink.get(), name, m_padStream);
 }
 
 void JointChannel::recordJoints(recording::StreamSink* sink, const std::string& name,
@@ -62,7 +67,9 @@ JointChannel::Taps JointChannel::tapInto(recording::StreamSink* sink, const std:
     if (sink == nullptr)
         return {};
     Taps taps;
-    taps.joints = sink->addStream(armStream(name + "-joints", description(), skinStream, m_chain.get()));
+    core::ArmDescription described = description();
+    described.pad = m_pad;
+    taps.joints = sink->addStream(armStream(name + "-joints", described, skinStream, m_chain.get()));
     if (m_arm->wrenches() != nullptr)
         taps.wrench = sink->addStream(wrenchStream(name + "-wrench", description(), m_chain.get()));
     return taps;

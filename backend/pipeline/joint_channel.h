@@ -46,6 +46,11 @@ public:
     /// Null where the arm is described by core::ArmDescription alone.
     [[nodiscard]] const std::shared_ptr<const arm_model::SerialChain>& chain() const { return m_chain; }
     [[nodiscard]] const std::string& meshFolder() const { return m_meshFolder; }
+    /// The pad on one of its links; nothing: it has none, or a skin around its forearm.
+    [[nodiscard]] const std::optional<core::PadPlacement>& pad() const { return m_pad; }
+    /// Another channel, whose frames are this stream, is a pad of this arm: recordings and sites tell it.
+    /// Before the channel is recorded or watched.
+    void wearPad(const core::PadPlacement& pad, std::string framesStream);
     /// Moves the arm: post(), setProgramRunning(), restartProgram() by the viewer thread.
     [[nodiscard]] core::ArmSource& device() { return *m_arm; }
 
@@ -105,6 +110,8 @@ private:
     std::unique_ptr<core::ArmSource> m_arm;
     std::shared_ptr<const arm_model::SerialChain> m_chain;
     std::string m_meshFolder;
+    std::optional<core::PadPlacement> m_pad;
+    std::string m_padStream;
     core::LatestCopy<Taps> m_taps;
     std::array<core::LatestCopy<Taps>, kWatchers> m_watched;
     std::array<Taps, 1 + kWatchers> m_tapsInUse; ///< the recorder's first; of the pipeline's thread

@@ -44,6 +44,7 @@ struct RecordedConfig : PlaybackConfig {
     std::string path;
     std::size_t stream = 0;                     ///< number in the recording: an array, a camera, or an arm
     std::optional<std::size_t> jointStream;     ///< of the arm that wears the array
+    std::optional<std::size_t> wrenchStream;    ///< of the sensor at that arm's wrist
     std::optional<std::size_t> referenceStream; ///< of the camera; playback starts with its first picture
 };
 

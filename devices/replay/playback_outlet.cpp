@@ -72,6 +72,16 @@ core::JointSample jointSampleAt(const PlaybackTrack& track, const PlayedFrame& f
     return sample;
 }
 
+core::WrenchSample wrenchSampleAt(const PlaybackTrack& track, std::int64_t time_ns) {
+    const std::span<const double> values = track.values<double>();
+    core::WrenchSample sample{.time_ns = time_ns, .sourceTime_s = track.sourceTime_s()};
+    for (std::size_t axis = 0; axis < 3 && values.size() == 6; ++axis) {
+        sample.force_N[axis] = values[axis];
+        sample.torque_Nm[axis] = values[3 + axis];
+    }
+    return sample;
+}
+
 JointPlaybackOutlet::JointPlaybackOutlet(std::size_t queueSamples)
     : m_outlet(queueSamples, kSamplesPerBatch) {
 }

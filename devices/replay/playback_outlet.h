@@ -121,5 +121,7 @@ private:
 
 /// The joint sample at which a track stands.
 [[nodiscard]] core::JointSample jointSampleAt(const PlaybackTrack& track, const PlayedFrame& frame);
+/// The force and torque at which a track stands. time_ns: when it was due.
+[[nodiscard]] core::WrenchSample wrenchSampleAt(const PlaybackTrack& track, std::int64_t time_ns);
 
 } // namespace teleta::replay

@@ -89,6 +89,7 @@ public:
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override {
         return static_cast<JointPlaybackOutlet&>(player().outlet()).samples();
     }
+    [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() override { return player().wrenches(); }
     [[nodiscard]] core::DeviceStatus status() const override { return player().outlet().status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
 };
@@ -104,6 +105,7 @@ public:
     void start(core::Wakeup& consumer) override { m_player->start(consumer); }
     void stop() override { m_player->stop(); }
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override { return m_player->joints(); }
+    [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() override { return m_player->wrenches(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_player->jointStatus(); }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
 

@@ -32,7 +32,10 @@ std::unique_ptr<PlaybackOutlet> makeOutlet(const PlaybackConfig& config) {
 
 core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(RecordedConfig config) {
     TELETA_TRY(auto recording, openTeletaRecording(config));
-    return std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
+    const bool hasWrench = config.wrenchStream.has_value();
+    auto player = std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
+    player->m_hasWrench = hasWrench;
+    return player;
 }
 
 core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(CsvConfig config) {
@@ -45,6 +48,7 @@ RecordedPlayer::RecordedPlayer(PlaybackConfig config, std::unique_ptr<PlaybackRe
     , m_recording(std::move(recording))
     , m_outlet(makeOutlet(m_config))
     , m_joints(m_config.queueJoints)
+    , m_wrenches(m_config.queueJoints)
     , m_box(m_config.clock, m_config.autoplay, m_config.loop, m_config.speed)
     , m_startsQuietly(m_config.startsQuietly) {
     m_shown.set({spanOf(m_recording->extent()).first_ns});
@@ -174,7 +178,8 @@ core::Expected<void> RecordedPlayer::obey(const PlaybackCommands& previous, bool
 
 void RecordedPlayer::countDamage() {
     m_damagedBlocks.store(m_tracks.frames->damagedBlocks() +
-                          (m_tracks.joints ? m_tracks.joints->damagedBlocks() : 0));
+                          (m_tracks.joints ? m_tracks.joints->damagedBlocks() : 0) +
+                          (m_tracks.wrench ? m_tracks.wrench->damagedBlocks() : 0));
 }
 
 core::Expected<void> RecordedPlayer::seekTo(double time_s, std::int64_t at_ns) {
@@ -207,7 +212,19 @@ core::Expected<void> RecordedPlayer::waitFrom(std::int64_t time_ns, std::int64_t
     m_jointsJumped = true;
     anchorAt(time_ns, at_ns);
     m_shown.set({time_ns});
-    return m_tracks.joints ? m_tracks.joints->seek(time_ns) : core::Expected<void>();
+    return seekBeside(time_ns);
+}
+
+core::Expected<void> RecordedPlayer::seekBeside(std::int64_t time_ns) {
+    if (m_tracks.joints)
+        TELETA_CHECK(m_tracks.joints->seek(time_ns));
+    if (!m_tracks.wrench)
+        return {};
+    // What was measured last at that time is known then.
+    TELETA_CHECK(m_tracks.wrench->seek(time_ns));
+    TELETA_TRY(const std::uint64_t before, m_tracks.wrench->back(1));
+    (void)before;
+    return {};
 }
 
 core::Expected<void> RecordedPlayer::stepBy(long long by) {
@@ -231,11 +248,10 @@ core::Expected<void> RecordedPlayer::stepBy(long long by) {
 
 /// Delivers the current frame now, as that of this time, also when paused.
 core::Expected<void> RecordedPlayer::show(std::int64_t time_ns, std::int64_t at_ns) {
-    if (m_tracks.joints) {
-        TELETA_CHECK(m_tracks.joints->seek(time_ns));
-        m_jointsJumped = true;
-    }
+    TELETA_CHECK(seekBeside(time_ns));
+    m_jointsJumped = true;
     anchorAt(time_ns, at_ns);
+    TELETA_CHECK(deliverWrenches(time_ns));
     take();
     m_shown.set({time_ns, m_tracks.frames->frame()});
     deliver();
@@ -264,6 +280,7 @@ core::Expected<void> RecordedPlayer::playEnd() {
         const bool isLate = unpaced || now - end_ns > kLongestLag_ns;
         return seekTo(0.0, isLate ? now : end_ns);
     }
+    TELETA_CHECK(deliverWrenches(last_ns));
     m_shown.set({last_ns, shown.frame});
     endAs(core::DeviceState::finished);
     return {};
@@ -294,6 +311,10 @@ core::Expected<void> RecordedPlayer::playDue() {
     const auto isDue = [&](const PlaybackTrack& track) { return unpaced || due_ns(track.time_ns()) <= now; };
     // Joints first, up to the newest frame of the block: a skin frame that was read before them is then
     // there.
+    const double since_ns = static_cast<double>(now - m_anchor_ns) * (unpaced ? 0.0 : m_active.speed);
+    const std::int64_t reached_ns = std::min<std::int64_t>(m_anchorTime_ns + std::llround(since_ns),
+                                                           spanOf(m_recording->extent()).last_ns);
+    TELETA_CHECK(deliverWrenches(std::max(first_ns, reached_ns)));
     while (!m_outlet->isFull()) {
         if (jointsNext() && isDue(*joints)) {
             deliverJoints();
@@ -340,11 +361,26 @@ void RecordedPlayer::deliverJoints() {
     const bool jumped = std::exchange(m_jointsJumped, false) || joints.jumps();
     core::JointSample sample = jointSampleAt(joints, {.time_ns = due_ns(joints.time_ns()), .jumped = jumped});
     m_jointsRead.fetch_add(1, std::memory_order_relaxed);
+    give(m_joints, std::move(sample));
+}
+
+core::Expected<void> RecordedPlayer::deliverWrenches(std::int64_t upTo_ns) {
+    PlaybackTrack* wrench = m_tracks.wrench.get();
+    while (wrench != nullptr && !wrench->atEnd() && wrench->time_ns() <= upTo_ns &&
+           !m_stop.stop_requested()) {
+        give(m_wrenches, wrenchSampleAt(*wrench, due_ns(wrench->time_ns())));
+        TELETA_CHECK(wrench->advance());
+    }
+    return {};
+}
+
+template <typename Sample>
+void RecordedPlayer::give(core::BoundedQueue<Sample>& queue, Sample sample) {
     if (!std::isinf(m_active.speed)) {
-        m_joints.push(std::move(sample));
+        queue.push(std::move(sample));
         return;
     }
-    while (!m_joints.tryPush(sample)) {
+    while (!queue.tryPush(sample)) {
         m_consumer->notify();
         if (!m_box.waitForRoom(m_stop))
             return;

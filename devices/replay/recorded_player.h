@@ -56,6 +56,10 @@ public:
     /// Of the arm that wears the array.
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() { return m_joints; }
     [[nodiscard]] core::DeviceStatus jointStatus() const;
+    /// Of the sensor at the arm's wrist, up to the newest joint sample; null: the recording has none.
+    [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() {
+        return m_hasWrench ? &m_wrenches : nullptr;
+    }
     [[nodiscard]] const PlaybackConfig& config() const { return m_config; }
     /// Blocks of the array and the joints that were skipped because they are damaged.
     [[nodiscard]] std::uint64_t damagedBlocks() const { return m_damagedBlocks.load(); }
@@ -87,6 +91,13 @@ private:
     void take();
     void deliver();
     void deliverJoints();
+    /// The forces that were read up to this time of the recording.
+    [[nodiscard]] core::Expected<void> deliverWrenches(std::int64_t upTo_ns);
+    /// Puts the sample into a queue of the consumer; as fast as possible, it waits until there is room.
+    template <typename Sample>
+    void give(core::BoundedQueue<Sample>& queue, Sample sample);
+    /// Moves the tracks beside the frames.
+    [[nodiscard]] core::Expected<void> seekBeside(std::int64_t time_ns);
     void endAs(core::DeviceState state, std::string message = {});
     void loseBy(core::Error error);
     void countDamage();
@@ -104,6 +115,8 @@ private:
     std::unique_ptr<PlaybackRecording> m_recording;
     std::unique_ptr<PlaybackOutlet> m_outlet;
     core::BoundedQueue<core::JointSample> m_joints;
+    core::BoundedQueue<core::WrenchSample> m_wrenches;
+    bool m_hasWrench = false;
     core::LatestCopy<Shown> m_shown; ///< what was played up to
     core::LatestCopy<core::Error> m_error;
     std::atomic<std::uint64_t> m_damagedBlocks{0};

@@ -169,6 +169,8 @@ public:
         tracks.frames = std::make_unique<RecordedTrack>(*tracks.recording, m_config.stream);
         if (m_config.jointStream)
             tracks.joints = std::make_unique<RecordedTrack>(*tracks.recording, *m_config.jointStream);
+        if (m_config.wrenchStream)
+            tracks.wrench = std::make_unique<RecordedTrack>(*tracks.recording, *m_config.wrenchStream);
         if (m_config.referenceStream)
             tracks.referenceAt = [references = std::make_shared<RecordedReferences>(
                                       *tracks.recording, *m_config.referenceStream)](std::int64_t time_ns) {

@@ -52,7 +52,8 @@ enum class FindingLevel {
 };
 
 struct ArmFinding {
-    const char* check; ///< "joints", "rate", "effort", "force", "clock", "controller", "writers", "file"
+    const char*
+        check; ///< "joints", "rate", "effort", "force", "clock", "controller", "writers", "file", "pad"
     FindingLevel level;
     QString text; ///< translated, without a full stop
 };

@@ -153,8 +153,8 @@ QString toolTip(const TouchRecord& record, int column) {
     case TouchModel::point:
     case TouchModel::distance:
         return record.located
-                   ? TouchModel::tr("x, y, z in the frame of the arm's base; the distance is along "
-                                    "the forearm, from the elbow")
+                   ? TouchModel::tr("x, y, z in the frame of the arm's base; the distance is from the "
+                                    "joint that presses: along the forearm from the elbow")
                    : TouchModel::tr("The skin did not feel this contact.");
     case TouchModel::force:
     case TouchModel::condition:
@@ -321,7 +321,8 @@ QVariant TouchModel::headerData(int section, Qt::Orientation orientation, int ro
         if (section == condition)
             return tr("Condition number of the force: longest over shortest lever; large is bad");
         if (section == distance)
-            return tr("Distance of the contact from the elbow, along the forearm");
+            return tr(
+                "Distance of the contact from the joint that presses: along the forearm from the elbow");
         return {};
     }
     return TitledModel::headerData(section, orientation, role);

@@ -70,8 +70,8 @@ QString TouchTexts::refusal(Refusal refusal) {
     case Refusal::outOfRange:
         return tr("The readings of angle or torque are not usable numbers. Check the arm's sensors.");
     case Refusal::notPositive:
-        return tr("The elbow feels nothing of a touch on its axis or along it, or the link's stiffness is "
-                  "not set. Touch from another side.");
+        return tr("The joint that presses feels nothing of a touch on its axis or along it, or the link's "
+                  "stiffness is not set. Touch from another side.");
     case Refusal::negativeUncertainty:
         return tr("The noise of the arm's readings is set below zero.");
     case Refusal::badWindow:
@@ -79,8 +79,8 @@ QString TouchTexts::refusal(Refusal refusal) {
     case Refusal::noSamples:
         return tr("No joint samples came in during the touch.");
     case Refusal::windowNotReached:
-        return tr("The elbow felt too little: its torque did not reach the torque window. Press harder, or "
-                  "from another side.");
+        return tr("The joint that presses felt too little: its torque did not reach the torque window. "
+                  "Press harder, or from another side.");
     case Refusal::tooFewSamples:
         return tr(
             "The touch was too quick: fewer than 20 independent samples lie in the torque window. Press "

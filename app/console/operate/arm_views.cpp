@@ -2,6 +2,8 @@
 #include "app/console/operate/arm_views.h"
 
 #include "app/console/operate/joint_dials.h"
+#include "backend/arm_model/serial_chain.h"
+#include "backend/pipeline/touch/skin_kinematics.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/touch/contour_view.h"
 #include "widgets/touch/run_sheet.h"
@@ -76,26 +78,16 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     clear();
     m_joints->setArm(arm, provenance);
     m_arm = std::dynamic_pointer_cast<pipeline::ArmChannel>(arm);
-    m_joints->setTouching(m_arm != nullptr);
+    m_joints->setTouching(m_arm ? std::optional(m_arm->settings().touch.window) : std::nullopt);
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm)
         return;
-    const core::ArmDescription& description = m_arm->description();
-    m_kinematics = arm::Arm4Kinematics({.upperArmLength_m = description.upperArmLength_m,
-                                        .forearmLength_m = description.forearmLength_m,
-                                        .halfThickness_m = description.halfThickness_m});
-    m_joints->setTip([this, tip = Eigen::Vector3d(description.forearmLength_m, 0.0, 0.0)](
-                         const core::JointSample& sample) -> Eigen::Vector3d {
-        return m_kinematics.p_Base_Point(arm::Link::forearm, arm::JointVector(sample.angle_rad.data()), tip);
-    });
+    if (!m_arm->pad())
+        wearBentSkin();
     m_gauge->setProvenance(provenance);
     m_touches->setProvenance(provenance);
     m_sheet->setProvenance(provenance);
     m_contour->setProvenance(provenance);
-    const core::ArrayLayout& skin = m_arm->skin()->description().layout.grid();
-    m_scene.setSurface(view3d::Surface::cylinder);
-    m_scene.setArrayBent(true);
-    m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitchX_m});
     // Nothing new may come: a recording that is paused stands as it was left.
     if (auto kept = m_kept.extract(m_arm)) {
         m_sheet->model().setNotes(std::move(kept.mapped().notes));
@@ -108,6 +100,21 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
         show(m_arm->snapshot());
     }
     m_arm->setFeedback(m_bracelet.feedback());
+}
+
+void ArmViews::wearBentSkin() {
+    const core::ArmDescription& description = m_arm->description();
+    m_kinematics = arm::Arm4Kinematics({.upperArmLength_m = description.upperArmLength_m,
+                                        .forearmLength_m = description.forearmLength_m,
+                                        .halfThickness_m = description.halfThickness_m});
+    m_joints->setTip([this, tip = Eigen::Vector3d(description.forearmLength_m, 0.0, 0.0)](
+                         const core::JointSample& sample) -> Eigen::Vector3d {
+        return m_kinematics.p_Base_Point(arm::Link::forearm, arm::JointVector(sample.angle_rad.data()), tip);
+    });
+    const core::ArrayLayout& skin = m_arm->skin()->description().layout.grid();
+    m_scene.setSurface(view3d::Surface::cylinder);
+    m_scene.setArrayBent(true);
+    m_scene.setCylinder({.radius_m = description.skin.radius_m, .length_m = skin.columns * skin.pitchX_m});
 }
 
 void ArmViews::clear() {
@@ -126,6 +133,7 @@ void ArmViews::clear() {
     m_objectsRevision = 0;
     m_begun_ns = 0;
     m_wasSilent = false;
+    m_drawsForce = false;
 }
 
 void ArmViews::tick() {
@@ -195,8 +203,23 @@ void ArmViews::beginAnew(std::int64_t begun_ns) {
 }
 
 void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
+    if (m_arm->pad())
+        showPad(snapshot.newest.angle_rad);
+    else
+        showBentSkin(snapshot.newest.angle_rad);
+    // What a direction without a lever hides is not known: no arrow rather than a wrong one.
+    const auto& contact = snapshot.contact;
+    const bool known = contact && contact->force && contact->force->observedDirections == 3;
+    if (known)
+        m_scene.setForce(view3d::DrawnForce{contact->p_Base_Contact_m, -contact->force->force_N});
+    else if (m_drawsForce)
+        m_scene.setForce(std::nullopt);
+    m_drawsForce = known;
+}
+
+void ArmViews::showBentSkin(const core::JointVector& angles_rad) {
     const core::ArmDescription& description = m_arm->description();
-    const arm::JointVector angle_rad(snapshot.newest.angle_rad.data());
+    const arm::JointVector angle_rad(angles_rad.data());
     const Eigen::Isometry3d X_Base_Forearm = m_kinematics.X_Base_Link(arm::Link::forearm, angle_rad);
     const std::array<view3d::ArmLink, 2> links{
         view3d::ArmLink{m_kinematics.X_Base_Link(arm::Link::upperArm, angle_rad),
@@ -207,12 +230,15 @@ void ArmViews::showArm(const pipeline::ArmSnapshot& snapshot) {
     m_scene.setSensorPose(X_Base_Forearm * Eigen::Translation3d(description.skin.centreDistance_m, 0.0, 0.0) *
                           Eigen::AngleAxisd(description.skin.centreSide_rad, Eigen::Vector3d::UnitX()));
     m_scene.setJoints(armDials(m_kinematics, description, angle_rad));
-    // What a direction without a lever hides is not known: no arrow rather than a wrong one.
-    const auto& contact = snapshot.contact;
-    const bool known = contact && contact->force && contact->force->observedDirections == 3;
-    m_scene.setForce(
-        known ? std::optional(view3d::DrawnForce{contact->p_Base_Contact_m, -contact->force->force_N})
-              : std::nullopt);
+}
+
+/// The arm itself is drawn by JointViews.
+void ArmViews::showPad(const core::JointVector& angle_rad) {
+    const arm_model::SerialChain& chain = *m_arm->chain();
+    const core::PadPlacement& pad = *m_arm->pad();
+    const auto link = chain.model().findLink(pad.link);
+    if (link && angle_rad.size() == chain.joints())
+        m_scene.setSensorPose(chain.linkPoses(angle_rad)[*link] * pipeline::X_Link_Sensor(pad));
 }
 
 void ArmViews::showContour(const pipeline::ExploredContour& contour) {

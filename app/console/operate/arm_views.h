@@ -86,8 +86,13 @@ private:
     void takeTouches();
     void showTouch(const pipeline::TouchRecord& record);
     void show(const pipeline::ArmSnapshot& snapshot);
+    /// The surface and the tip of such an arm.
+    void wearBentSkin();
     void showContour(const pipeline::ExploredContour& contour);
     void showArm(const pipeline::ArmSnapshot& snapshot);
+    /// Where the skin of an arm with a bent skin, or with a pad, is now.
+    void showBentSkin(const core::JointVector& angle_rad);
+    void showPad(const core::JointVector& angle_rad);
     /// Draws the objects of the run sheet, but for the one whose contour is drawn.
     void showObjects();
     void clear();
@@ -113,6 +118,7 @@ private:
     std::uint64_t m_objectsRevision = 0;
     std::int64_t m_begun_ns = 0; ///< as in the snapshot that is shown
     bool m_wasSilent = false;
+    bool m_drawsForce = false; ///< of a touch; a force sensor's is drawn by JointViews
 };
 
 } // namespace teleta::console

@@ -114,9 +114,9 @@ void JointViews::loadRobot() {
         });
 }
 
-void JointViews::setTouching(bool touching) {
-    m_chart->setWindow(touching ? std::optional(stiffness::TorqueWindow()) : std::nullopt);
-    if (!touching && m_arm)
+void JointViews::setTouching(const std::optional<stiffness::TorqueWindow>& window) {
+    m_chart->setWindow(window);
+    if (!window && m_arm)
         m_chart->setAnglesShown(true);
 }
 
@@ -231,9 +231,12 @@ void JointViews::showScenery() {
 /// The force at the tip, along the axes of the base. One that is old is not shown.
 void JointViews::showWrench() {
     const std::optional<core::WrenchSample> wrench = m_arm->newestWrench();
+    // What a recording shows while it is paused does not grow old.
+    const std::int64_t now_ns =
+        m_arm->description().recorded && m_shown ? m_shown->time_ns : core::steadyNow_ns();
     const bool isKnown = wrench && m_shown && m_arm->chain() &&
                          m_shown->angle_rad.size() == m_arm->chain()->joints() &&
-                         core::steadyNow_ns() - wrench->time_ns < kOldWrench_ns;
+                         std::abs(now_ns - wrench->time_ns) < kOldWrench_ns;
     if (std::exchange(m_wrench_ns, isKnown ? wrench->time_ns : 0) == m_wrench_ns)
         return;
     if (!isKnown) {

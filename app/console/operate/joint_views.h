@@ -5,6 +5,7 @@
 #include "app/console/operate/operate_docks.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/joint_channel.h"
+#include "backend/stiffness/joint_sample.h"
 #include "widgets/base/controls/badge.h"
 #include "widgets/charts/joint_chart_view.h"
 
@@ -54,8 +55,9 @@ public:
     /// known.
     using TipOf = std::function<Eigen::Vector3d(const core::JointSample&)>;
     void setTip(TipOf tipOf) { m_tipOf = std::move(tipOf); }
-    /// Whether touches are evaluated: the chart has the window of their torques then, otherwise the angles.
-    void setTouching(bool touching);
+    /// The torques in which touches are evaluated, which the chart shows; nothing: none are, and it shows the
+    /// angles.
+    void setTouching(const std::optional<stiffness::TorqueWindow>& window);
     /// The arm tells nothing any more.
     [[nodiscard]] bool isSilent() const { return m_silent; }
     /// Time from the read of the newest joint sample to its picture; empty without one.

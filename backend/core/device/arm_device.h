@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,29 @@ struct SkinPlacement {
     [[nodiscard]] double y_m(double side) const { return (centreSide_rad - side) * radius_m; }
 };
 
+/// From which torques the touches of an arm are told and evaluated.
+struct TouchTorques {
+    double windowLow_Nm = 0.02; ///< the stiffness is that between these two
+    double windowHigh_Nm = 0.05;
+    double threshold_Nm = 0.05;    ///< more is a touch
+    double noiseFloor_Nm = 0.0025; ///< noise does not reach it; at most windowLow_Nm
+};
+
+/// A flat pad of taxels on a link of an arm that a URDF describes. A taxel at (x, y) of the pad's frame {s},
+/// z out of the pad, is there in the link's frame too:
+///   X_Link_Sensor = translation(position_m) Rz(yaw) Ry(pitch) Rx(roll)
+struct PadPlacement {
+    std::string link;
+    std::array<double, 3> position_m{};
+    std::array<double, 3> rollPitchYaw_rad{};
+    /// Whose torque and angle give the stiffness, as the URDF names it; empty: the last joint before the pad
+    /// that presses it.
+    std::string joint = {};
+    JointVector jointStiffness_NmPerRad = {}; ///< of each joint; 0, or none at all: taken as rigid
+    double centreSe_m = 0.0;                  ///< as SkinPlacement::centreSe_m
+    TouchTorques torques = {};
+};
+
 /// Something upright in a simulated world, for views: its outline in a plane z = z_m of the base.
 struct WorldObject {
     std::string name;
@@ -77,7 +101,8 @@ struct ArmDescription {
     /// Of the three shoulder joints; 0: taken as rigid.
     std::array<double, 3> shoulderStiffness_NmPerRad{};
     SkinPlacement skin;
-    JointVector lowest_rad; ///< range of the joints
+    std::optional<PadPlacement> pad; ///< in place of the skin and all lengths: the arm is known by its URDF
+    JointVector lowest_rad;          ///< range of the joints
     JointVector highest_rad;
     JointVector fastest_radPerS; ///< limit of each joint's speed
     bool hasProgram = false;     ///< the arm can move by a program of its own (a simulated scene)

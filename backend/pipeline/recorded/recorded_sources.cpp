@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace teleta::pipeline {
@@ -38,13 +40,35 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
             why = why.value_or(array.error());
             continue;
         }
-        sources.push_back({.arrayStream = i, .array = std::move(*array), .jointStream = {}, .arm = {}});
+        sources.push_back({.arrayStream = i,
+                           .array = std::move(*array),
+                           .jointStream = {},
+                           .wrenchStream = {},
+                           .arm = {},
+                           .chain = {}});
     }
     return sources;
 }
 
+/// The stream "NAME-wrench" with frames, of the arm whose joints are "NAME-joints".
+core::Expected<std::optional<std::size_t>> wrenchOf(const Recording& recording, const std::string& joints) {
+    constexpr std::string_view kJoints = "-joints";
+    if (!joints.ends_with(kJoints))
+        return std::nullopt;
+    const std::string name = joints.substr(0, joints.size() - kJoints.size()) + "-wrench";
+    const std::vector<StreamInfo>& streams = recording.streams();
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (streams[i].kind != StreamKind::wrench || streams[i].name != name ||
+            streams[i].columns.size() != kWrenchValues)
+            continue;
+        TELETA_TRY(const auto extent, recording.extent(i));
+        return extent ? std::optional(i) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 /// Gives each arm to the array that it wears; one that was recorded without a skin is a source of its own.
-/// One whose skin cannot be played is left out.
+/// One whose skin cannot be played is left out, but for an arm with a pad, which can be shown without it.
 core::Expected<void> addArms(const Recording& recording, RecordedSources& sources,
                              std::optional<core::Error>& why) {
     const std::vector<StreamInfo>& streams = recording.streams();
@@ -56,16 +80,19 @@ core::Expected<void> addArms(const Recording& recording, RecordedSources& source
             why = why.value_or(arm.error());
             continue;
         }
+        TELETA_TRY(const auto wrench, wrenchOf(recording, streams[i].name));
         const auto skin = std::ranges::find_if(sources.arrays, [&](const RecordedSource& source) {
             return streams[source.arrayStream].name == arm->skinStream;
         });
         if (skin != sources.arrays.end()) {
             skin->jointStream = i;
+            skin->wrenchStream = wrench;
             skin->arm = std::move(arm->description);
-        } else if (arm->skinStream.empty()) {
+            skin->chain = std::move(arm->chain);
+        } else if (arm->skinStream.empty() || arm->description.pad) {
             TELETA_TRY(const auto extent, recording.extent(i));
             if (extent)
-                sources.arms.push_back({i, std::move(arm->description), std::move(arm->chain)});
+                sources.arms.push_back({i, wrench, std::move(arm->description), std::move(arm->chain)});
         }
     }
     return {};

@@ -20,13 +20,16 @@ namespace teleta::pipeline {
 struct RecordedSource {
     std::size_t arrayStream = 0; ///< number in the recording
     RecordedArray array;
-    std::optional<std::size_t> jointStream; ///< empty: the array was on its own
+    std::optional<std::size_t> jointStream;  ///< empty: the array was on its own
+    std::optional<std::size_t> wrenchStream; ///< of the sensor at that arm's wrist
     core::ArmDescription arm;
+    std::shared_ptr<const arm_model::SerialChain> chain; ///< as RecordedArm::chain
 };
 
 /// An arm of a recording that wears no array.
 struct RecordedJoints {
-    std::size_t stream = 0; ///< number in the recording
+    std::size_t stream = 0;                  ///< number in the recording
+    std::optional<std::size_t> wrenchStream; ///< of the sensor at its wrist
     core::ArmDescription arm;
     std::shared_ptr<const arm_model::SerialChain> chain; ///< as RecordedArm::chain
 };

@@ -176,6 +176,48 @@ recording::StreamInfo featureStream(const std::string& name, const core::SourceD
             .nominalRate_Hz = description.nominalRate_Hz};
 }
 
+namespace {
+
+ordered_json padJson(const core::PadPlacement& pad) {
+    const core::TouchTorques& torques = pad.torques;
+    ordered_json object{{"link", pad.link},
+                        {"position_m", pad.position_m},
+                        {"roll_pitch_yaw_rad", pad.rollPitchYaw_rad},
+                        {"joint", pad.joint},
+                        {"centre_se_m", pad.centreSe_m},
+                        {"window_nm", {torques.windowLow_Nm, torques.windowHigh_Nm}},
+                        {"threshold_nm", torques.threshold_Nm},
+                        {"noise_floor_nm", torques.noiseFloor_Nm}};
+    if (!pad.jointStiffness_NmPerRad.empty())
+        object["joint_stiffness_nm_per_rad"] = pad.jointStiffness_NmPerRad;
+    return object;
+}
+
+/// The inverse. joints: of the arm.
+core::PadPlacement padOf(core::JsonReader& reader, const ordered_json& object, std::size_t joints) {
+    constexpr double kTiny = 1e-12;
+    core::PadPlacement pad;
+    pad.link = reader.text(object, "link", {});
+    readNumbers(reader, object, "position_m", pad.position_m);
+    readNumbers(reader, object, "roll_pitch_yaw_rad", pad.rollPitchYaw_rad);
+    pad.joint = reader.text(object, "joint", {});
+    if (object.contains("joint_stiffness_nm_per_rad")) {
+        pad.jointStiffness_NmPerRad = core::JointVector::zeros(joints);
+        readNumbers(reader, object, "joint_stiffness_nm_per_rad", pad.jointStiffness_NmPerRad);
+    }
+    pad.centreSe_m = reader.number(object, "centre_se_m", 0.0, kHuge, 0.0);
+    core::TouchTorques& torques = pad.torques;
+    std::array<double, 2> window_Nm{torques.windowLow_Nm, torques.windowHigh_Nm};
+    readNumbers(reader, object, "window_nm", window_Nm);
+    torques.windowLow_Nm = window_Nm[0];
+    torques.windowHigh_Nm = window_Nm[1];
+    torques.threshold_Nm = reader.number(object, "threshold_nm", kTiny, kHuge, torques.threshold_Nm);
+    torques.noiseFloor_Nm = reader.number(object, "noise_floor_nm", kTiny, kHuge, torques.noiseFloor_Nm);
+    return pad;
+}
+
+} // namespace
+
 recording::StreamInfo armStream(const std::string& name, const core::ArmDescription& description,
                                 const std::string& skinStream, const arm_model::SerialChain* chain) {
     recording::StreamInfo info = recording::jointStream(description.nominalRate_Hz, description.joints());
@@ -198,6 +240,8 @@ recording::StreamInfo armStream(const std::string& name, const core::ArmDescript
                          {"fastest_rad_per_s", description.fastest_radPerS}};
     if (!description.guarded)
         details["guarded"] = false;
+    if (description.pad)
+        details["pad"] = padJson(*description.pad);
     if (chain != nullptr)
         details.update({{"urdf", chain->model().urdf},
                         {"base_link", chain->baseLink()},
@@ -374,8 +418,11 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     description.skin.centreDistance_m = number("skin_centre_distance_m", -kHuge);
     description.skin.centreSide_rad = number("skin_centre_side_rad", -kHuge);
     arm.skinStream = reader.text(root, "skin_stream", {});
-    // An arm without a skin has none of the lengths.
-    description.skin.radius_m = number("skin_radius_m", arm.skinStream.empty() ? 0.0 : 1e-9);
+    if (root.contains("pad"))
+        description.pad = padOf(reader, reader.member(root, "pad"), *joints);
+    // An arm without a skin around its forearm has none of the lengths.
+    const bool isBent = !arm.skinStream.empty() && !description.pad;
+    description.skin.radius_m = number("skin_radius_m", isBent ? 1e-9 : 0.0);
     description.skin.centreSe_m = reader.number(root, "skin_centre_se_m", 0.0, kHuge, 0.0);
     description.lowest_rad = description.highest_rad = description.fastest_radPerS =
         core::JointVector::zeros(*joints);
@@ -389,6 +436,8 @@ core::Expected<RecordedArm> recordedArm(const recording::StreamInfo& stream, con
     const std::string tip = reader.text(root, "tip_link", {});
     if (reader.error())
         return notDescribed(stream, file, *reader.error());
+    if (urdf.empty() && description.pad)
+        return notDescribed(stream, file, RecordedStreamText::tr("it has a pad and no links"));
     if (urdf.empty())
         return arm;
     auto chain = chainOf(urdf, base, tip, file);

@@ -33,8 +33,8 @@ bool hasPassed(double elapsed_s, double duration_s) {
     return elapsed_s >= duration_s - kRounding_s;
 }
 
-arm::JointVector toVector(const JointVector& joints) {
-    return arm::JointVector(joints.data());
+arm::AnyJointVector toVector(const JointVector& joints) {
+    return arm::AnyJointVector::Map(joints.data(), static_cast<Eigen::Index>(joints.size()));
 }
 
 stiffness::JointSample ofJoint(const JointSample& sample, std::size_t joint) {
@@ -63,13 +63,21 @@ std::size_t strongest(const JointVector& torque_Nm) {
 
 } // namespace
 
-double TouchEstimator::Located::lever_m() const {
-    return contactDistance_m * std::abs(std::cos(side_rad));
+TouchEstimatorSettings touchSettings(const core::TouchTorques& torques) {
+    constexpr double kFloor_sd = 5.0;
+    TouchEstimatorSettings settings;
+    settings.window = {torques.windowLow_Nm, torques.windowHigh_Nm};
+    settings.detection.threshold_Nm = torques.threshold_Nm;
+    settings.detection.noiseFloor_Nm = torques.noiseFloor_Nm;
+    settings.force.torqueNoise_Nm = torques.noiseFloor_Nm / kFloor_sd;
+    return settings;
 }
 
-TouchEstimator::TouchEstimator(const core::ArmDescription& arm, const TouchEstimatorSettings& settings)
+TouchEstimator::TouchEstimator(const core::ArmDescription& arm, const TouchEstimatorSettings& settings,
+                               std::shared_ptr<const SkinKinematics> skin)
     : m_arm(arm)
-    , m_kinematics({arm.upperArmLength_m, arm.forearmLength_m, arm.halfThickness_m})
+    , m_skinAt(skin ? std::move(skin) : skinAroundForearm(arm))
+    , m_elbow(m_skinAt ? m_skinAt->pressingJoint() : std::max<std::size_t>(arm.joints(), 1) - 1)
     , m_settings(settings) {
     makeDetectors();
     reset();
@@ -79,7 +87,7 @@ void TouchEstimator::makeDetectors() {
     stiffness::DetectionSettings others = m_settings.detection;
     others.capacity = 0; // only the elbow's samples are evaluated
     m_detectors.fill(stiffness::ContactDetector(others));
-    m_detectors[kElbow] = stiffness::ContactDetector(m_settings.detection);
+    m_detectors[m_elbow] = stiffness::ContactDetector(m_settings.detection);
 }
 
 void TouchEstimator::setSettings(const TouchEstimatorSettings& settings) {
@@ -113,10 +121,6 @@ JointPhases TouchEstimator::phases() const {
 
 std::span<const stiffness::ContactDetector> TouchEstimator::detectors() const {
     return std::span(m_detectors).first(m_arm.joints());
-}
-
-bool TouchEstimator::canLocate() const {
-    return m_arm.joints() == arm::JointVector::SizeAtCompileTime;
 }
 
 bool TouchEstimator::isUsable(const JointSample& sample) const {
@@ -201,7 +205,7 @@ JointVector TouchEstimator::torqueWithoutReference(const JointSample& sample) co
 }
 
 void TouchEstimator::watch(const JointSample& sample) {
-    const stiffness::ContactDetector& elbow = m_detectors[kElbow];
+    const stiffness::ContactDetector& elbow = m_detectors[m_elbow];
     const ContactPhase before = elbow.phase();
     for (std::size_t joint = 0; joint < m_arm.joints(); ++joint)
         m_detectors[joint].update(ofJoint(sample, joint), m_reference_Nm[joint]);
@@ -268,15 +272,15 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
     }
 
     const double threshold_Nm = m_settings.detection.threshold_Nm;
-    const double elbow_Nm = std::abs(torque_Nm[kElbow]);
+    const double elbow_Nm = std::abs(torque_Nm[m_elbow]);
     const bool elbowFeels = elbow_Nm > threshold_Nm;
     if (m_accelerated_s && now_s - *m_accelerated_s < kInertiaMemory_s)
         m_touch.accelerated = true;
-    const std::size_t joint = elbowFeels ? kElbow : strongest(torque_Nm);
+    const std::size_t joint = elbowFeels ? m_elbow : strongest(torque_Nm);
     // Once the elbow has felt the touch, a sample that only another joint feels belongs to the release; once
     // the skin feels nothing any more, what the joints feel is the inertia of the retreat.
     if (std::abs(torque_Nm[joint]) > threshold_Nm && anyPhaseIs(ContactPhase::contact) &&
-        (elbowFeels || !m_touch.elbowFelt) && (!m_touch.skinLeft || !m_touch.passed_s)) {
+        (elbowFeels || !m_touch.elbowFelt) && (!m_touch.skinLeft_ns || !m_touch.passed_s)) {
         m_touch.elbowFelt = elbowFeels;
         m_touch.loaded = sample;
         m_touch.torque_Nm = torque_Nm;
@@ -285,7 +289,7 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
             m_touch.passed_s = now_s;
     }
     m_touch.reachedWindow = m_touch.reachedWindow || std::abs(torque_Nm[joint]) >= m_settings.window.low_Nm;
-    if (!m_touch.elbowPassed_s && m_detectors[kElbow].phase() == ContactPhase::contact &&
+    if (!m_touch.elbowPassed_s && m_detectors[m_elbow].phase() == ContactPhase::contact &&
         elbow_Nm > m_settings.window.high_Nm)
         m_touch.elbowPassed_s = now_s;
 
@@ -307,17 +311,22 @@ std::optional<TouchRecord> TouchEstimator::follow(const JointSample& sample) {
 bool TouchEstimator::isComplete(const JointSample& sample, bool allFree) const {
     if (!m_touch.passed_s)
         return false;
-    if (allFree || m_touch.skinLeft)
+    if (allFree)
+        return true;
+    // A frame of a skin may be empty in the middle of a touch.
+    if (m_touch.skinLeft_ns &&
+        hasPassed(1e-9 * static_cast<double>(sample.time_ns - *m_touch.skinLeft_ns), m_settings.release_s))
         return true;
     const double now_s = sample.sourceTime_s;
     if (m_touch.elbowPassed_s) {
         const stiffness::TorqueWindow& window = m_settings.window;
-        const double elbow_Nm = std::abs(sample.torque_Nm[kElbow] - m_reference_Nm[kElbow]);
+        const double elbow_Nm = std::abs(sample.torque_Nm[m_elbow] - m_reference_Nm[m_elbow]);
         return hasPassed(now_s - *m_touch.elbowPassed_s, m_settings.afterWindow_s) ||
                elbow_Nm > window.high_Nm + stiffness::kWindowMargin * window.width_Nm() ||
                elbow_Nm < window.middle_Nm();
     }
-    if (m_touch.place && locate(m_touch.place->x_m, m_touch.place->y_m).lever_m() < m_settings.leastLever_m)
+    if (m_touch.place && m_skinAt &&
+        locate(m_touch.place->x_m, m_touch.place->y_m).lever_m() < m_settings.leastLever_m)
         return true;
     return hasPassed(now_s - *m_touch.passed_s, m_settings.elbowWait_s);
 }
@@ -326,14 +335,15 @@ std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
     if (contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
         std::isgreaterequal(contact.force_N, m_settings.leastSkinForce_N)) {
         m_skin = contact;
-        m_touch.skinLeft = false;
+        m_touch.skinLeft_ns.reset();
         const double slack_ns = 1e9 * m_settings.skinSlack_s;
         const bool open = m_touch.stage == Stage::rising || m_touch.stage == Stage::complete;
         if (open && static_cast<double>(m_touch.first.time_ns - contact.time_ns) <= slack_ns)
             addToPlace(contact);
     } else {
         m_skin.reset();
-        m_touch.skinLeft = m_touch.place.has_value();
+        if (m_touch.place && !m_touch.skinLeft_ns)
+            m_touch.skinLeft_ns = contact.time_ns;
     }
     return recordWhenLocated(false);
 }
@@ -345,14 +355,15 @@ void TouchEstimator::addToPlace(const SkinContact& contact) {
     if (!m_touch.place ||
         std::hypot(contact.x_m - m_touch.place->x_m, contact.y_m - m_touch.place->y_m) > kSamePlace_m)
         m_touch.place = Place{.x_m = contact.x_m, .y_m = contact.y_m, .type = contact.type};
+    const double centreSe_m = m_skinAt ? m_skinAt->centreSe_m() : 0.0;
     Place& place = *m_touch.place;
     place.type = contact.type;
     place.weight_N += weight_N;
     const double share = weight_N / place.weight_N;
     place.x_m += share * (contact.x_m - place.x_m);
     place.y_m += share * (contact.y_m - place.y_m);
-    place.xSe_m += share * (std::hypot(contact.xSe_m, m_arm.skin.centreSe_m) - place.xSe_m);
-    place.ySe_m += share * (std::hypot(contact.ySe_m, m_arm.skin.centreSe_m) - place.ySe_m);
+    place.xSe_m += share * (std::hypot(contact.xSe_m, centreSe_m) - place.xSe_m);
+    place.ySe_m += share * (std::hypot(contact.ySe_m, centreSe_m) - place.ySe_m);
 }
 
 std::optional<TouchRecord> TouchEstimator::recordWhenLocated(bool waitNoLonger) {
@@ -378,29 +389,28 @@ TouchRecord TouchEstimator::makeRecord() {
     record.joint = m_touch.joint;
     record.joints = m_arm.joints();
     record.torque_Nm = m_touch.torque_Nm[record.joint];
-    if (!m_touch.place || !canLocate())
+    if (!m_touch.place || !m_skinAt)
         return record;
 
-    const Located located = locate(m_touch.place->x_m, m_touch.place->y_m);
-    const arm::JointVector angle_rad = toVector(m_touch.loaded.angle_rad);
+    const SkinPoint point = locate(m_touch.place->x_m, m_touch.place->y_m);
     record.located = true;
-    record.contactDistance_m = located.contactDistance_m;
+    record.contactDistance_m = point.contactDistance_m;
     record.contactDistanceSe_m = m_touch.place->xSe_m;
-    record.side_rad = located.side_rad;
+    record.side_rad = point.side_rad;
     record.contactType = m_touch.place->type;
-    record.p_Base_Contact_m = p_Base(angle_rad, located);
-    record.force = forceAt(angle_rad, m_touch.torque_Nm, located);
-    estimate(located, record);
+    record.p_Base_Contact_m = point.p_Base_m;
+    record.force = forceAt(m_touch.torque_Nm, point);
+    estimate(point, record);
     return record;
 }
 
-void TouchEstimator::estimate(const Located& located, TouchRecord& record) const {
-    if (located.contactDistance_m <= 0.0 || located.lever_m() < m_settings.leastLever_m) {
+void TouchEstimator::estimate(const SkinPoint& point, TouchRecord& record) const {
+    if (point.contactDistance_m <= 0.0 || point.lever_m() < m_settings.leastLever_m) {
         record.refusal = stiffness::Refusal::notPositive;
         return;
     }
     // The detector keeps the rise of an earlier touch when the elbow felt nothing of this one.
-    const auto transition = m_detectors[kElbow].transition();
+    const auto transition = m_detectors[m_elbow].transition();
     // An elbow that stays in the lower half of the window stood still there while others went on: its samples
     // say nothing of the object.
     const auto bears = [this](const stiffness::JointSample& sample) {
@@ -411,9 +421,9 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
         record.refusal = stiffness::Refusal::windowNotReached;
         return;
     }
-    auto stiffness = stiffnessAt(located, std::nullopt);
+    auto stiffness = stiffnessAt(point, std::nullopt);
     if (stiffness)
-        stiffness = stiffnessAt(located, placeSe_mPerN(stiffness->objectCompliance.value_mPerN));
+        stiffness = stiffnessAt(point, placeSe_mPerN(stiffness->objectCompliance.value_mPerN));
     if (!stiffness) {
         record.refusal = stiffness.error();
         return;
@@ -423,35 +433,30 @@ void TouchEstimator::estimate(const Located& located, TouchRecord& record) const
         return;
     }
     record.stiffness = *stiffness;
-    record.joint = kElbow;
-    record.torque_Nm = m_touch.torque_Nm[kElbow];
+    record.joint = m_elbow;
+    record.torque_Nm = m_touch.torque_Nm[m_elbow];
 }
 
 tl::expected<stiffness::TouchStiffness, stiffness::Refusal>
-TouchEstimator::stiffnessAt(const Located& located, std::optional<double> placeSe_mPerN) const {
-    const double lever_m = located.lever_m();
-    const arm::JointVector depthPerAngle_m = depthPerAngle(located);
+TouchEstimator::stiffnessAt(const SkinPoint& point, std::optional<double> placeSe_mPerN) const {
     stiffness::TouchSettings settings;
-    settings.contactDistance_m = lever_m;
+    settings.contactDistance_m = point.lever_m();
     settings.contactDistanceSe_m = m_touch.place->xSe_m;
     settings.placeSe_mPerN = placeSe_mPerN;
-    settings.linkStiffness_NPerM = linkStiffness_NPerM(lever_m, depthPerAngle_m);
-    // 1/k_ri = lever^2 / K and the rest.
-    settings.linkStiffnessSe_NPerM =
-        std::pow(settings.linkStiffness_NPerM * lever_m / m_arm.elbowStiffness_NmPerRad, 2) *
-        m_arm.elbowStiffnessSe_NmPerRad;
+    settings.linkStiffness_NPerM = m_skinAt->linkStiffness_NPerM(point);
+    settings.linkStiffnessSe_NPerM = m_skinAt->linkStiffnessSe_NPerM(point);
     settings.window = m_settings.window;
     settings.patternsAreErrors = true;
     settings.method = m_settings.method;
     settings.torqueNoise_Nm = m_settings.torqueNoise_Nm;
     settings.angleNoise_rad = m_settings.angleNoise_rad;
-    return stiffness::estimateStiffness(pressingRise(depthPerAngle_m), settings);
+    return stiffness::estimateStiffness(pressingRise(point.depthPerAngle_m()), settings);
 }
 
 double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
     const Place& place = *m_touch.place;
     double squares = 0.0;
-    for (const Located& moved :
+    for (const SkinPoint& moved :
          {locate(place.x_m + place.xSe_m, place.y_m), locate(place.x_m, place.y_m + place.ySe_m)}) {
         const auto there = stiffnessAt(moved, std::nullopt);
         if (there)
@@ -460,68 +465,41 @@ double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
     return std::sqrt(squares);
 }
 
-double TouchEstimator::linkStiffness_NPerM(double lever_m, const arm::JointVector& depthPerAngle_m) const {
-    double compliance_mPerN = lever_m * lever_m / m_arm.elbowStiffness_NmPerRad;
-    for (std::size_t i = 0; i < m_arm.shoulderStiffness_NmPerRad.size(); ++i)
-        if (m_arm.shoulderStiffness_NmPerRad[i] > 0.0)
-            compliance_mPerN += std::pow(depthPerAngle_m[static_cast<Eigen::Index>(i)], 2) /
-                                m_arm.shoulderStiffness_NmPerRad[i];
-    return 1.0 / compliance_mPerN;
-}
-
-arm::JointVector TouchEstimator::depthPerAngle(const Located& located) const {
-    const arm::JointVector pose_rad = toVector(m_touch.loaded.angle_rad);
-    const Eigen::Vector3d p_Link = m_kinematics.p_Link_Skin(located.contactDistance_m, located.side_rad);
-    const Eigen::Vector3d normal_Link = Eigen::Vector3d(0.0, p_Link.y(), p_Link.z()).normalized();
-    const Eigen::Vector3d normal =
-        m_kinematics.X_Base_Link(arm::Link::forearm, pose_rad).linear() * normal_Link;
-    return m_kinematics.pointJacobian(arm::Link::forearm, pose_rad, p_Link).transpose() * normal;
-}
-
 std::vector<stiffness::JointSample>
-TouchEstimator::pressingRise(const arm::JointVector& depthPerAngle_m) const {
-    const arm::JointVector pose_rad = toVector(m_touch.loaded.angle_rad);
-    const auto transition = m_detectors[kElbow].transition();
+TouchEstimator::pressingRise(const arm::AnyJointVector& depthPerAngle_m) const {
+    const arm::AnyJointVector pose_rad = toVector(m_touch.loaded.angle_rad);
+    const auto transition = m_detectors[m_elbow].transition();
     const auto pressed_rad = [&](const JointVector& angle_rad) {
-        return depthPerAngle_m.dot(toVector(angle_rad) - pose_rad) / depthPerAngle_m[kElbow];
+        return depthPerAngle_m.dot(toVector(angle_rad) - pose_rad) /
+               depthPerAngle_m[static_cast<Eigen::Index>(m_elbow)];
     };
     std::vector<stiffness::JointSample> rise;
     rise.reserve(m_free.size() + transition.size());
     for (const JointSample& sample : m_free)
         if (transition.empty() || sample.sourceTime_s < transition.front().time_s)
             rise.push_back({sample.sourceTime_s, pressed_rad(sample.angle_rad),
-                            sample.torque_Nm[kElbow] - m_reference_Nm[kElbow]});
+                            sample.torque_Nm[m_elbow] - m_reference_Nm[m_elbow]});
     for (std::size_t i = 0; i < transition.size(); ++i)
         rise.push_back({transition[i].time_s, pressed_rad(m_riseAngles_rad[i]), transition[i].torque_Nm});
     return rise;
 }
 
-std::optional<arm::ContactForce> TouchEstimator::forceAt(const arm::JointVector& angle_rad,
-                                                         const JointVector& torque_Nm,
-                                                         const Located& located) const {
-    const Eigen::Vector3d p_Link = m_kinematics.p_Link_Skin(located.contactDistance_m, located.side_rad);
-    const auto force =
-        arm::solveContactForce(m_kinematics.pointJacobian(arm::Link::forearm, angle_rad, p_Link),
-                               toVector(torque_Nm), m_settings.force);
+std::optional<arm::ContactForce> TouchEstimator::forceAt(const JointVector& torque_Nm,
+                                                         const SkinPoint& point) const {
+    const auto force = arm::solveContactForce(point.jacobian, toVector(torque_Nm), m_settings.force);
     return force ? std::optional(*force) : std::nullopt;
 }
 
-Eigen::Vector3d TouchEstimator::p_Base(const arm::JointVector& angle_rad, const Located& located) const {
-    return m_kinematics.p_Base_Point(arm::Link::forearm, angle_rad,
-                                     m_kinematics.p_Link_Skin(located.contactDistance_m, located.side_rad));
-}
-
-TouchEstimator::Located TouchEstimator::locate(double x_m, double y_m) const {
-    return {m_arm.skin.distance_m(x_m), m_arm.skin.side_rad(y_m)};
+SkinPoint TouchEstimator::locate(double x_m, double y_m) const {
+    return m_skinAt->at(m_touch.loaded.angle_rad, x_m, y_m);
 }
 
 std::optional<LiveContact> TouchEstimator::liveContact() const {
-    if (!m_skin || !m_newest || !canLocate())
+    if (!m_skin || !m_newest || !m_skinAt)
         return std::nullopt;
-    const Located located = locate(m_skin->x_m, m_skin->y_m);
-    const arm::JointVector angle_rad = toVector(m_newest->angle_rad);
-    return LiveContact{located.contactDistance_m, located.side_rad, p_Base(angle_rad, located),
-                       forceAt(angle_rad, torqueWithoutReference(*m_newest), located)};
+    const SkinPoint point = m_skinAt->at(m_newest->angle_rad, m_skin->x_m, m_skin->y_m);
+    return LiveContact{point.contactDistance_m, point.side_rad, point.p_Base_m,
+                       forceAt(torqueWithoutReference(*m_newest), point)};
 }
 
 } // namespace teleta::pipeline

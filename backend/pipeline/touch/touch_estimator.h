@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/arm/arm4_kinematics.h"
 #include "backend/arm/contact_force.h"
 #include "backend/core/device/arm_device.h"
+#include "backend/pipeline/touch/skin_kinematics.h"
 #include "backend/pipeline/touch/touch_record.h"
 #include "backend/stiffness/contact_detector.h"
 #include "backend/stiffness/stiffness_estimator.h"
@@ -11,14 +11,12 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace teleta::pipeline {
-
-/// Index of the joint whose torque and angle give the stiffness, in an arm of arm::Arm4Kinematics.
-inline constexpr std::size_t kElbow = 3;
 
 /// Contact phase of each joint; free past the arm's joints.
 using JointPhases = std::array<stiffness::ContactPhase, core::JointVector::kCapacity>;
@@ -40,14 +38,18 @@ struct TouchEstimatorSettings {
     double skinSlack_s = 0.03;      ///< the skin may have felt the contact so much earlier than the joints
     double skinWait_s = 0.1;        ///< a complete touch waits so long for the skin to feel it
     double elbowWait_s = 1.0;       ///< a touch that another joint feels waits so long for the elbow
-    double leastLever_m = 0.02;     ///< with a shorter lever about the elbow there is no stiffness
-    double leastRise_s = 0.075;     ///< a quicker rise through the window moves the link: no stiffness
+    double leastLever_m = kLeastLever_m; ///< with a shorter lever about the elbow there is no stiffness
+    double leastRise_s = 0.075;          ///< a quicker rise through the window moves the link: no stiffness
     double newReference_s =
         2.0; ///< a torque that stays, without the skin feeling a touch, is a new reference
     /// A reference that is accelerated more than this moves the links' inertia.
     double inertia_radPerS2 = 0.2;
-    double release_s = 0.02; ///< a touch has ended when all joints have been free for so long
+    /// A touch has ended when all joints have been free, or the skin has felt nothing of it, for so long.
+    double release_s = 0.02;
 };
+
+/// The settings with these torques; the force's noise is a fifth of the floor, which is five times the noise.
+[[nodiscard]] TouchEstimatorSettings touchSettings(const core::TouchTorques& torques);
 
 /// Where the arm is touched at this moment, and how hard.
 struct LiveContact {
@@ -59,6 +61,8 @@ struct LiveContact {
 };
 
 /// Recognises touches of the arm while its samples come in, and evaluates each once, as soon as it can.
+///
+/// The elbow stands for the joint that presses the skin, SkinKinematics::pressingJoint().
 ///
 /// Every joint is watched against a reference: the mean of its torque while it is free, which follows slow
 /// drift. A touch begins with the first sample over the noise floor of any joint and ends when all have been
@@ -73,8 +77,8 @@ struct LiveContact {
 ///   n       normal of the skin, along which a force without friction acts; J_c of the contact point
 ///   lever   |n^T J_c,elbow| = P_C |cos(side)|
 ///   angle   n^T J_c q / n^T J_c,elbow, the rotation of the elbow alone that would press as deep
-///   1/k_ri  lever^2 / elbowStiffness_NmPerRad + sum of d_i^2 / shoulderStiffness_NmPerRad[i]
-/// with d_i the depth that an angle of joint i presses. When the elbow alone moves and touches with the crest
+///   k_ri    SkinKinematics::linkStiffness_NPerM()
+/// When the elbow alone moves and touches with the crest
 /// of the forearm (side 0 or pi), and the shoulder is rigid, these are the angle and P_C of the paper.
 /// Without a torque of the elbow in the upper half of the window there is no stiffness. The free motion of
 /// the last kFreeTime_s before the touch tells drift and gravity that are left in the torque. The standard
@@ -86,17 +90,18 @@ struct LiveContact {
 /// located: no point, no force, no stiffness. While the arm is told to speed up or slow down, the inertia of
 /// its links is felt like a touch: what the skin does not feel is then none, and is only counted.
 ///
-/// An arm with another number of joints than arm::Arm4Kinematics has is watched alike, but its touches are
-/// not located. A sample with a number that is not finite, or without one for each joint, is left out and
-/// counted. A discontinuity, or a time that runs back, ends a touch (it is recorded when it was complete) and
-/// begins the reference anew. Samples and contacts come in order of time. Thread: one. Source: TeleTA,
-/// section 2.
+/// An arm of which nobody knows where its skin is, is watched alike, but its touches are not located. A
+/// sample with a number that is not finite, or without one for each joint, is left out and counted. A
+/// discontinuity, or a time that runs back, ends a touch (it is recorded when it was complete) and begins the
+/// reference anew. Samples and contacts come in order of time. Thread: one. Source: TeleTA, section 2.
 class TouchEstimator {
 public:
     static constexpr double kSamePlace_m = 0.015;
     static constexpr double kFreeTime_s = 1.0;
 
-    explicit TouchEstimator(const core::ArmDescription& arm, const TouchEstimatorSettings& settings = {});
+    /// skin: of an arm with as many joints; null: that of skinAroundForearm().
+    explicit TouchEstimator(const core::ArmDescription& arm, const TouchEstimatorSettings& settings = {},
+                            std::shared_ptr<const SkinKinematics> skin = nullptr);
 
     /// A record when this sample, or contact, completes a touch.
     [[nodiscard]] std::optional<TouchRecord> update(const core::JointSample& sample);
@@ -146,21 +151,15 @@ private:
         double complete_s = 0.0;
         double free_s = 0.0; ///< since when all joints are free again
         bool reachedWindow = false;
-        bool skinLeft = false;    ///< the skin felt the contact and feels it no more
-        bool accelerated = false; ///< the arm sped up or slowed down in it, or shortly before
-        bool elbowFelt = false;   ///< the elbow is over the threshold in that sample
+        std::optional<std::int64_t> skinLeft_ns; ///< since when the skin, which felt it, feels it no more
+        bool accelerated = false;                ///< the arm sped up or slowed down in it, or shortly before
+        bool elbowFelt = false;                  ///< the elbow is over the threshold in that sample
         std::optional<Place> place;
     };
     struct Motion {
         double time_s = 0.0;
         core::JointVector reference_rad;
     };
-    struct Located {
-        double contactDistance_m = 0.0;
-        double side_rad = 0.0;
-        [[nodiscard]] double lever_m() const;
-    };
-
     void followReference(const core::JointSample& sample);
     [[nodiscard]] core::JointVector torqueWithoutReference(const core::JointSample& sample) const;
     void watch(const core::JointSample& sample);
@@ -170,33 +169,29 @@ private:
     [[nodiscard]] bool isComplete(const core::JointSample& sample, bool allFree) const;
     [[nodiscard]] std::optional<TouchRecord> recordWhenLocated(bool waitNoLonger);
     [[nodiscard]] TouchRecord makeRecord();
-    void estimate(const Located& located, TouchRecord& record) const;
+    void estimate(const SkinPoint& point, TouchRecord& record) const;
     [[nodiscard]] tl::expected<stiffness::TouchStiffness, stiffness::Refusal>
-    stiffnessAt(const Located& located, std::optional<double> placeSe_mPerN) const;
+    stiffnessAt(const SkinPoint& point, std::optional<double> placeSe_mPerN) const;
     /// Of the object's compliance: the samples are evaluated anew at places one standard error away.
     [[nodiscard]] double placeSe_mPerN(double object_mPerN) const;
     void keepFree(const core::JointSample& sample);
-    /// How much deeper the forearm presses an angle of each joint.
-    [[nodiscard]] arm::JointVector depthPerAngle(const Located& located) const;
-    /// Of the arm at the contact: its joints' springs in series.
-    [[nodiscard]] double linkStiffness_NPerM(double lever_m, const arm::JointVector& depthPerAngle_m) const;
     /// The rise of the elbow's torque over the angle of the elbow that would press as deep.
     [[nodiscard]] std::vector<stiffness::JointSample>
-    pressingRise(const arm::JointVector& depthPerAngle_m) const;
-    [[nodiscard]] std::optional<arm::ContactForce> forceAt(const arm::JointVector& angle_rad,
-                                                           const core::JointVector& torque_Nm,
-                                                           const Located& located) const;
-    [[nodiscard]] Eigen::Vector3d p_Base(const arm::JointVector& angle_rad, const Located& located) const;
-    [[nodiscard]] Located locate(double x_m, double y_m) const;
+    pressingRise(const arm::AnyJointVector& depthPerAngle_m) const;
+    [[nodiscard]] std::optional<arm::ContactForce> forceAt(const core::JointVector& torque_Nm,
+                                                           const SkinPoint& point) const;
+    /// Of the touch, at a place of the skin, in the pose of its newest sample over the threshold.
+    [[nodiscard]] SkinPoint locate(double x_m, double y_m) const;
     [[nodiscard]] bool isUsable(const core::JointSample& sample) const;
-    [[nodiscard]] bool canLocate() const;
     [[nodiscard]] std::span<const stiffness::ContactDetector> detectors() const;
     [[nodiscard]] bool anyPhaseIs(stiffness::ContactPhase phase) const;
     void addToPlace(const SkinContact& contact);
     void makeDetectors();
 
     core::ArmDescription m_arm;
-    arm::Arm4Kinematics m_kinematics;
+    std::shared_ptr<const SkinKinematics> m_skinAt; ///< null: nobody knows where the skin is
+    /// Of the elbow. Without a skin the last joint, which is watched as all are.
+    std::size_t m_elbow = 0;
     TouchEstimatorSettings m_settings;
     std::array<stiffness::ContactDetector, core::JointVector::kCapacity> m_detectors;
     std::vector<core::JointVector> m_riseAngles_rad; ///< of all joints, with the elbow's transition

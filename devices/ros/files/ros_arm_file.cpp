@@ -34,6 +34,8 @@ constexpr std::array<std::string_view, 4> kAdapterNames{"trajectory", "moveit_se
 /// No arm needs more; larger numbers are slips of the unit.
 constexpr NumberRange kRate = NumberRange::positiveUpTo(1000.0);
 constexpr double kFarthest_m = 1000.0;
+constexpr double kLargestTorque_Nm = 1000.0;
+constexpr double kMetrePerMm = 1e-3;
 
 /// The index of one of the names; the fallback when the key is missing.
 std::size_t choiceOr(TomlTable& table, std::string_view key, const std::vector<std::string_view>& names,
@@ -152,6 +154,57 @@ void readWrench(TomlTable& root, const std::string& path, RosArmFile& file) {
                   ArmFileText::tr("the file of a force sensor, kind = \"ros_wrench\"").toStdString());
 }
 
+void readTorques(TomlTable& table, core::TouchTorques& torques) {
+    if (table.has("window_Nm")) {
+        const std::vector<double> window = table.numberList("window_Nm", NumberRange::positive(), {2, 2});
+        if (window.size() == 2 && !(window[0] < window[1]))
+            table.fail("window_Nm", ArmFileText::tr("the window is empty or reversed").toStdString(),
+                       ArmFileText::tr("[lowest, highest]").toStdString());
+        if (window.size() == 2) {
+            // The noise floor as far below the window as usual.
+            torques.noiseFloor_Nm *= window[0] / torques.windowLow_Nm;
+            torques.windowLow_Nm = window[0];
+            torques.windowHigh_Nm = torques.threshold_Nm = window[1];
+        }
+    }
+    torques.noiseFloor_Nm = table.number("noise_floor_Nm", NumberRange::positiveUpTo(torques.windowLow_Nm),
+                                         torques.noiseFloor_Nm);
+    torques.threshold_Nm = table.number(
+        "threshold_Nm", NumberRange::between(torques.noiseFloor_Nm, kLargestTorque_Nm), torques.threshold_Nm);
+}
+
+void readTouch(TomlTable& root, const std::string& path, RosArmFile& file) {
+    if (!root.has("touch"))
+        return;
+    if (file.effortUnit != EffortUnit::newtonMetre)
+        root.fail("touch", ArmFileText::tr("the efforts of this arm are not in Nm").toStdString(),
+                  "effort_unit = \"Nm\"");
+    TomlTable table = root.table("touch");
+    RosTouchFile touch;
+    core::PadPlacement& pad = touch.pad;
+    pad.joint = table.text("joint", "");
+    if (table.has("joint_stiffness_NmPerRad")) {
+        const std::vector<double> springs =
+            table.numberList("joint_stiffness_NmPerRad", NumberRange::notNegative(),
+                             {1, static_cast<long long>(core::JointVector::kCapacity)});
+        pad.jointStiffness_NmPerRad = core::JointVector::of(springs).value_or(core::JointVector());
+    }
+    pad.centreSe_m = kMetrePerMm * table.number("centre_se_mm", NumberRange::notNegative(), 0.0);
+    readTorques(table, pad.torques);
+    if (table.has("array")) {
+        touch.array = core::besideFile(path, table.text("array"));
+        pad.link = table.text("frame");
+        readPose(table, pad);
+    } else {
+        for (const char* key : {"frame", "pose"})
+            if (table.has(key))
+                table.fail(key, ArmFileText::tr("the pad is not named").toStdString(),
+                           ArmFileText::tr("array = \"the file of the pad\"").toStdString());
+    }
+    file.touch = std::move(touch);
+    table.finish();
+}
+
 core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::string& path) {
     RosArmFile file;
     TomlTable root = document.root();
@@ -183,6 +236,7 @@ core::Expected<RosArmFile> read(const core::TomlDocument& document, const std::s
     readJointNames(root, file);
     readLimits(root, file);
     readWrench(root, path, file);
+    readTouch(root, path, file);
     root.finish();
     if (document.firstError())
         return core::Unexpected(*document.firstError());

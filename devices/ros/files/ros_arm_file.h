@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/arm_model/motion_limits.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "devices/dds/domain_config.h"
 #include "devices/ros/files/ros_wrench_file.h"
@@ -38,6 +39,14 @@ enum class Adapter {
 /// How wide the names of readers and writers are when nodes are told.
 enum class Distribution { jazzy, humble };
 
+/// What an arm's touches are evaluated with (table [touch]).
+struct RosTouchFile {
+    /// Where its pad is, as far as the file says it: with array, link and pose are given.
+    core::PadPlacement pad;
+    std::string
+        array; ///< path of the file that describes the pad; empty: a device of the site says its frame
+};
+
 /// An arm over ROS 2 as its TOML file describes it (kind = "ros_arm").
 struct RosArmFile {
     std::string name;
@@ -53,7 +62,8 @@ struct RosArmFile {
     bool effortContainsGravity = false;  ///< with newtonMetre only
     std::vector<std::string> required;   ///< devices of a site without which the arm is held
     std::optional<RosWrenchFile> wrench; ///< the sensor for limits.forceStop_N; nothing: none
-    std::string meshPath;                ///< folder; empty: none
+    std::optional<RosTouchFile> touch;
+    std::string meshPath; ///< folder; empty: none
     dds::DomainConfig domain;
     Distribution distribution = Distribution::jazzy;
     bool announce = true;                                       ///< tell the node to other programs

@@ -51,4 +51,16 @@ double readTimeout_s(core::TomlTable& table, std::string_view key, double fallba
     return table.number(key, core::NumberRange::between(kShortestTimeout_s, kLongestTimeout_s), fallback_s);
 }
 
+void readPose(core::TomlTable& table, core::PadPlacement& pad) {
+    constexpr double kFarthest = 100.0;
+    if (!table.has("pose"))
+        return;
+    const std::vector<double> pose =
+        table.numberList("pose", core::NumberRange::between(-kFarthest, kFarthest), {6, 6});
+    if (pose.size() != 6)
+        return;
+    std::copy_n(pose.begin(), 3, pad.position_m.begin());
+    std::copy_n(pose.begin() + 3, 3, pad.rollPitchYaw_rad.begin());
+}
+
 } // namespace teleta::ros_arm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
 #include "backend/core/keys/toml_table.h"
 #include "devices/dds/domain_config.h"
@@ -40,5 +41,9 @@ template <typename File>
 
 /// What a sensor tells is too old after this time: the key `timeout_s`, 0.02 to 1 s.
 [[nodiscard]] double readTimeout_s(core::TomlTable& table, std::string_view key, double fallback_s);
+
+/// The pose of a pad in the frame of its link: pose = [x, y, z, roll, pitch, yaw], m and rad; without it
+/// both frames are one.
+void readPose(core::TomlTable& table, core::PadPlacement& pad);
 
 } // namespace teleta::ros_arm

@@ -38,6 +38,8 @@ file = "arm.toml"
 [[device]]
 id = "pad"
 wts = "/dev/ttyUSB0"
+frame = "tool0"
+pose = [0.0, 0.0, 0.02, 0.0, 0.0, 1.57]
 [[device]]
 id = "glove"
 taxels = "glove.toml"
@@ -59,6 +61,11 @@ scene = ":/scenes/teleoperation.toml"
     EXPECT_EQ(std::get<app::ArmRequest>(file->devices[0].request).path, "/files/arm.toml");
     EXPECT_EQ(file->devices[1].id, "pad");
     EXPECT_TRUE(std::holds_alternative<app::WtsRequest>(file->devices[1].request));
+    ASSERT_TRUE(file->devices[1].pad);
+    EXPECT_EQ(file->devices[1].pad->link, "tool0");
+    EXPECT_EQ(file->devices[1].pad->position_m, (std::array{0.0, 0.0, 0.02}));
+    EXPECT_EQ(file->devices[1].pad->rollPitchYaw_rad, (std::array{0.0, 0.0, 1.57}));
+    EXPECT_FALSE(file->devices[2].pad);
     EXPECT_EQ(std::get<app::TaxelsRequest>(file->devices[2].request).path, "/files/glove.toml");
     EXPECT_EQ(file->devices[3].id, "practice");
     EXPECT_TRUE(std::holds_alternative<app::SceneRequest>(file->devices[3].request));
@@ -73,6 +80,17 @@ TEST(SiteFile, leasesHaveBoundsAndDefaults) {
     EXPECT_EQ(file->times.loopLimit_ns, 500'000'000);
     const std::string error = errorOf("motion_lease_ms = 301\n" + std::string(kHead) + device);
     EXPECT_NE(error.find("site.toml:1"), std::string::npos) << error;
+}
+
+TEST(SiteFile, onlyAnArrayHasAPlaceOnAnArm) {
+    const std::string head = std::string(kHead) + "[[device]]\nid = \"a\"\n";
+    EXPECT_NE(errorOf(head + "scene = \":/scenes/teleoperation.toml\"\nframe = \"tool0\"\n").find("frame"),
+              std::string::npos);
+    EXPECT_NE(errorOf(head + "wts = \"/dev/x\"\npose = [0, 0, 0, 0, 0, 0]\n").find("needs a frame"),
+              std::string::npos);
+    EXPECT_NE(errorOf(head + "wts = \"/dev/x\"\nframe = \"a\"\npose = [0, 0, 0]\n").find("site.toml:10"),
+              std::string::npos)
+        << errorOf(head + "wts = \"/dev/x\"\nframe = \"a\"\npose = [0, 0, 0]\n");
 }
 
 TEST(SiteFile, devicesHaveNamesOfTheirOwn) {

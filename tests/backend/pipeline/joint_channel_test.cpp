@@ -7,6 +7,7 @@
 #include "backend/recording/recorder.h"
 #include "backend/recording/recording.h"
 #include "backend/recording/stream_columns.h"
+#include "tests/backend/pipeline/pad_on_arm.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 
 #include <QTemporaryDir>
@@ -225,4 +226,44 @@ TEST(JointChannel, theLinksOfAnArmAreInItsRecording) {
     ASSERT_NE(link, std::string::npos);
     stream.details.replace(link, 6, "<zobot");
     EXPECT_FALSE(pipeline::recordedArm(stream, "file"));
+}
+
+TEST(JointChannel, aRecordingSaysWhereTheArmsPadIs) {
+    const auto chain = test::chainOf("resources/arms/seven-joints.urdf");
+    core::ArmDescription arm;
+    arm.lowest_rad = chain->lowest();
+    arm.highest_rad = chain->highest();
+    arm.fastest_radPerS = chain->fastest();
+    arm.pad = test::padOnLinkFive();
+    arm.pad->joint = "joint_4";
+    arm.pad->centreSe_m = 0.0005;
+    arm.pad->torques = {.windowLow_Nm = 0.8, .windowHigh_Nm = 2.0, .threshold_Nm = 1.9, .noiseFloor_Nm = 0.1};
+    recording::StreamInfo stream = pipeline::armStream("robot-joints", arm, "pad-frames", &*chain);
+
+    const auto found = pipeline::recordedArm(stream, "file");
+    ASSERT_TRUE(found) << core::describe(found.error());
+    EXPECT_EQ(found->skinStream, "pad-frames");
+    ASSERT_TRUE(found->chain && found->description.pad);
+    const core::PadPlacement& pad = *found->description.pad;
+    EXPECT_EQ(pad.link, "link_5");
+    EXPECT_EQ(pad.position_m, arm.pad->position_m);
+    EXPECT_EQ(pad.rollPitchYaw_rad, arm.pad->rollPitchYaw_rad);
+    EXPECT_EQ(pad.joint, "joint_4");
+    EXPECT_EQ(pad.jointStiffness_NmPerRad, arm.pad->jointStiffness_NmPerRad);
+    EXPECT_EQ(pad.centreSe_m, 0.0005);
+    EXPECT_EQ(pad.torques.windowLow_Nm, 0.8);
+    EXPECT_EQ(pad.torques.windowHigh_Nm, 2.0);
+    EXPECT_EQ(pad.torques.threshold_Nm, 1.9);
+    EXPECT_EQ(pad.torques.noiseFloor_Nm, 0.1);
+
+    const auto spoiled = [&stream](const std::string& text, const std::string& with) {
+        recording::StreamInfo other = stream;
+        const std::size_t place = other.details.find(text);
+        EXPECT_NE(place, std::string::npos) << text;
+        other.details.replace(place, text.size(), with);
+        return !pipeline::recordedArm(other, "file").has_value();
+    };
+    EXPECT_TRUE(spoiled("\"urdf\":", "\"lost\":")) << "a pad needs links";
+    EXPECT_TRUE(spoiled("\"window_nm\":[0.8,2.0]", "\"window_nm\":[0.8]"));
+    EXPECT_TRUE(spoiled("\"pad\":{", "\"pad\":[],\"x\":{"));
 }

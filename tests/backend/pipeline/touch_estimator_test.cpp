@@ -10,7 +10,7 @@
 #include <vector>
 
 using namespace teleta;
-using pipeline::kElbow;
+
 using pipeline::TouchEstimator;
 using pipeline::TouchEstimatorSettings;
 using pipeline::TouchRecord;
@@ -22,6 +22,7 @@ using test::TouchRun;
 
 namespace {
 
+constexpr std::size_t kElbow = 3;
 constexpr double kMaterials_NPerM[] = {stiffness::kSpongeStiffness_NPerM,
                                        stiffness::kRubberSpongeStiffness_NPerM,
                                        stiffness::kRubberStiffness_NPerM, stiffness::kWoodStiffness_NPerM};
@@ -414,6 +415,20 @@ TEST(TouchEstimator, standardErrorsOfSkinAndElbowEnterThatOfTheObject) {
     const double ofElbow_mPerN = std::pow(distance_m / paperArm().elbowStiffness_NmPerRad, 2);
     EXPECT_NEAR(touch(0.0, 1.0).stiffness->objectCompliance.se_mPerN.value(),
                 std::hypot(object.se_mPerN.value(), ofElbow_mPerN), 0.01 * ofElbow_mPerN);
+}
+
+TEST(TouchEstimator, anEmptyFrameOfTheSkinEndsNoTouch) {
+    TouchRun run(ScriptedArm{});
+    run.idle(100);
+    run.elbowTo(0.03, 300);
+    const auto phases = run.estimator.phases();
+    ASSERT_TRUE(std::ranges::count(phases, ContactPhase::contact) > 0) << "another joint is beyond it";
+    ASSERT_EQ(phases[kElbow], ContactPhase::transition);
+    EXPECT_FALSE(run.estimator.update(run.arm.skin(0.0)));
+    run.elbowTo(0.08, 500);
+    ASSERT_EQ(run.records.size(), 1U);
+    EXPECT_EQ(run.records.front().joint, kElbow);
+    EXPECT_TRUE(run.records.front().stiffness);
 }
 
 TEST(TouchEstimator, doesNotLearnAHeldTouchAsReference) {

@@ -112,6 +112,51 @@ TEST(RosArmFile, whatCannotBeKeptIsRefused) {
               "3)");
 }
 
+TEST(RosArmFile, saysWhatTouchesAreEvaluatedWith) {
+    const auto file = parseRosArm(kShortest + R"(effort_unit = "Nm"
+[touch]
+array = "pad.toml"
+frame = "forearm"
+pose = [0.1, 0.0, -0.03, 3.14, 0.0, 1.57]
+joint = "elbow"
+joint_stiffness_NmPerRad = [4000, 4000, 0, 2000]
+centre_se_mm = 0.5
+window_Nm = [0.8, 2.0]
+)",
+                                  "/files/arm.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    ASSERT_TRUE(file->touch);
+    EXPECT_EQ(file->touch->array, "/files/pad.toml");
+    const core::PadPlacement& pad = file->touch->pad;
+    EXPECT_EQ(pad.link, "forearm");
+    EXPECT_EQ(pad.position_m, (std::array{0.1, 0.0, -0.03}));
+    EXPECT_EQ(pad.rollPitchYaw_rad, (std::array{3.14, 0.0, 1.57}));
+    EXPECT_EQ(pad.joint, "elbow");
+    EXPECT_EQ(pad.jointStiffness_NmPerRad, core::JointVector(4000, 4000, 0, 2000));
+    EXPECT_DOUBLE_EQ(pad.centreSe_m, 0.0005);
+    EXPECT_EQ(pad.torques.windowLow_Nm, 0.8);
+    EXPECT_EQ(pad.torques.windowHigh_Nm, 2.0);
+    EXPECT_EQ(pad.torques.threshold_Nm, 2.0) << "the window's upper end";
+    EXPECT_DOUBLE_EQ(pad.torques.noiseFloor_Nm, 0.1) << "an eighth of its lower end";
+    const auto shortest = parseRosArm(kShortest + "effort_unit = \"Nm\"\n[touch]\n", "arm.toml");
+    ASSERT_TRUE(shortest && shortest->touch) << core::describe(shortest.error());
+    EXPECT_EQ(shortest->touch->array, "");
+    EXPECT_EQ(shortest->touch->pad.torques.windowLow_Nm, core::TouchTorques().windowLow_Nm);
+}
+
+TEST(RosArmFile, refusesTouchesThatCannotBe) {
+    const std::string head = "effort_unit = \"Nm\"\n[touch]\n";
+    EXPECT_NE(errorWith("[touch]\n").find("not in Nm"), std::string::npos) << errorWith("[touch]\n");
+    for (const auto& [lines, told] :
+         {std::pair{"pose = [0, 0, 0, 0, 0, 0]\n", "the pad is not named"},
+          std::pair{"array = \"pad.toml\"\n", "frame"},
+          std::pair{"array = \"pad.toml\"\nframe = \"a\"\npose = [0, 0, 0]\n", "arm.toml:10"},
+          std::pair{"window_Nm = [2, 1]\n", "reversed"},
+          std::pair{"window_Nm = [1, 2]\nnoise_floor_Nm = 1.5\n", "noise_floor_Nm"},
+          std::pair{"threshold_Nm = 0.001\n", "threshold_Nm"}, std::pair{"elbow = 1\n", "elbow"}})
+        EXPECT_NE(errorWith(head + lines).find(told), std::string::npos) << errorWith(head + lines);
+}
+
 TEST(RosArmFile, aServoHasATopicOfItsOwn) {
     const std::string frames = "kind = \"ros_arm\"\nname = \"Arm\"\nbase_frame = \"base_link\"\n"
                                "tip_frame = \"tool0\"\nadapter = \"moveit_servo\"\n";

@@ -119,14 +119,17 @@ protected:
         std::string urdf = shipped.readAll().toStdString();
         urdf.insert(urdf.rfind("</robot>"),
                     "<link name=\"pad\"/><joint name=\"pad_place\" type=\"fixed\"><parent link=\"forearm\"/>"
-                    "<child link=\"pad\"/><origin xyz=\"0.175 0 -0.03\" rpy=\"3.141592653589793 0 "
-                    "1.5707963267948966\"/></joint>");
+                    "<child link=\"pad\"/><origin xyz=\"0.175 0 -0.03\" rpy=\"3.141592653589793 0 0\"/>"
+                    "</joint>");
         std::ofstream(path("arm.urdf")) << urdf;
         const char* ros = "[ros]\ndomain = 128\ninterface = \"lo\"\n";
         std::ofstream(path("arm.toml"))
             << "kind = \"ros_arm\"\nname = \"Robot\"\nbase_frame = \"base_link\"\ntip_frame = \"tool0\"\n"
                "controller = \"/arm_controller\"\neffort_unit = \"Nm\"\njoint_timeout_s = 0.25\n"
-            << ros << "announce = false\n[limits]\nspeed_scale = 0.5\n";
+            << ros
+            << "announce = false\n[limits]\nspeed_scale = 0.5\n"
+            // A taxel tells where a point is to within a pitch.
+            << "[touch]\ncentre_se_mm = " << 1e3 * test::kPitch_m / std::sqrt(12.0) << "\n";
         std::ofstream(path("pad.toml"))
             << "kind = \"ros_tactile\"\nname = \"pad\"\ntopic = \"/pad/tactile\"\n"
                "format = \"Float64MultiArray\"\nrows = 14\ncols = 6\npitch_mm = 3.4\nrate_Hz = 200\n"
@@ -222,7 +225,7 @@ protected:
         writeFiles();
         startRobot(seed, balls);
         startSite("[[device]]\nid = \"arm\"\nfile = \"" + path("arm.toml") +
-                  "\"\n[[device]]\nid = \"pad\"\ntaxels = \"" + path("pad.toml") + "\"\n");
+                  "\"\n[[device]]\nid = \"pad\"\ntaxels = \"" + path("pad.toml") + "\"\nframe = \"pad\"\n");
         LinkProgram hand(*m_line, DelayLine::B, QStringLiteral(TELETA_LOOP_OPERATOR),
                          {QString::fromStdString(path("console1.toml"))});
         const auto [code, out] = hand.wait(kLongestRun_ms);

@@ -3,7 +3,6 @@
 // process joins one domain.
 //   loop_operator FILE
 // At the end it prints what the console would show, a line of JSON.
-#include "devices/site/remote_site_file.h"
 #include "loop_place.h"
 #include "operator_side.h"
 
@@ -24,27 +23,11 @@ namespace {
 constexpr std::size_t kYaw = 2;
 constexpr std::size_t kElbow = 3;
 constexpr int kPresses = 2;
-/// The joints of this robot do not yield.
-constexpr double kRigid_NmPerRad = 1e6;
-constexpr double kFlat_m = 1.0;
 constexpr double kAbove_m = 0.001;
 /// 5 kN/m pass the window of 0.03 Nm in 86 ms then; less than 75 ms would be refused.
 constexpr double kApproach_mPerS = 0.0004;
 constexpr double kDeepest_m = 0.008;
 constexpr double kStill_s = 0.7;
-
-void describe(core::ArmDescription& arm) {
-    arm.nominalRate_Hz = 1000.0;
-    arm.upperArmLength_m = test::kUpperArm_m;
-    arm.forearmLength_m = test::kForearm_m;
-    arm.halfThickness_m = test::kHalfThickness_m;
-    arm.elbowStiffness_NmPerRad = kRigid_NmPerRad;
-    // A taxel tells where a point is to within a pitch. The pad is flat: a large radius.
-    arm.skin = {.centreDistance_m = test::kPad_m,
-                .centreSide_rad = std::numbers::pi,
-                .radius_m = kFlat_m,
-                .centreSe_m = test::kPitch_m / std::sqrt(12.0)};
-}
 
 /// False: nothing was felt there.
 bool feel(OperatorSide& hand, double bearing_rad) {
@@ -128,16 +111,9 @@ int main(int count, char** arguments) {
     if (count != 2)
         return 2;
     const QCoreApplication application(count, arguments);
-    const auto file = site_link::readRemoteSite(arguments[1]);
-    if (!file)
-        return fail(core::describe(file.error()));
-    core::StopSwitch stop;
-    const auto client = site_link::SiteClient::open(*file, "test", stop);
-    if (!client)
-        return fail(core::describe(client.error()));
-    OperatorSide hand(*client, describe);
+    OperatorSide hand(arguments[1]);
     if (!hand.opened())
-        return fail("arm, pad or bracelet cannot be opened");
+        return fail("arm, pad or bracelet cannot be opened: " + hand.error());
     if (!hand.takeControl())
         return fail("control was not granted");
     std::vector<std::size_t> bounds;

@@ -5,10 +5,8 @@
 
 namespace teleta::test {
 
-/// The robot's links, and where its pad is: below the forearm. Both ends know it, since arms over ROS 2 do
-/// not tell where a skin is.
+/// The robot's links, and where its pad is: below the forearm.
 inline constexpr double kUpperArm_m = 0.30;
-inline constexpr double kForearm_m = 0.27;
 inline constexpr double kHalfThickness_m = 0.03;
 inline constexpr double kPad_m = 0.175; ///< from the elbow to the pad's centre
 inline constexpr double kPitch_m = 0.0034;

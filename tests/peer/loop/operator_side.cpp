@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operator_side.h"
 
+#include "app/sources/site_request.h"
+#include "app/sources/source_request.h"
 #include "backend/core/steady_time.h"
 #include "backend/pattern/model/built_in_patterns.h"
-#include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/playback/pattern_program.h"
-#include "devices/site/remote/remote_arm.h"
-#include "devices/site/remote/remote_array.h"
-#include "devices/site/site_streams.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +17,6 @@ namespace teleta::test {
 namespace {
 
 using namespace std::chrono_literals;
-using recording::StreamKind;
 
 /// As often as a view does while a key is held.
 constexpr auto kTick = 5ms;
@@ -36,34 +33,16 @@ double now_s() {
     return 1e-9 * static_cast<double>(core::steadyNow_ns());
 }
 
-core::Expected<std::shared_ptr<pipeline::ArmChannel>>
-openChannel(const std::shared_ptr<site_link::SiteClient>& client,
-            const std::function<void(core::ArmDescription&)>& skin) {
-    std::unique_ptr<core::ArmSource> arm;
-    std::shared_ptr<pipeline::TouchChannel> pad;
-    for (const recording::StreamInfo& stream : client->streams()) {
-        const std::string device = site_link::deviceOf(stream);
-        if (stream.kind == StreamKind::joints) {
-            TELETA_TRY(pipeline::RecordedArm described, pipeline::recordedArm(stream, "lab"));
-            described.description.recorded = false;
-            skin(described.description);
-            TELETA_TRY(arm, site_link::RemoteArm::open(client, device, described.description, false));
-        } else if (stream.kind == StreamKind::array) {
-            TELETA_TRY(pipeline::RecordedArray described, pipeline::recordedArray(stream, "lab"));
-            described.description.recorded = false;
-            TELETA_TRY(auto array, site_link::RemoteArray::open(client, device, described.description));
-            pad = std::make_shared<pipeline::TouchChannel>(std::move(array), std::move(described.settings));
-        }
-    }
-    return std::make_shared<pipeline::ArmChannel>(std::move(arm), std::move(pad));
-}
-
 } // namespace
 
-OperatorSide::OperatorSide(std::shared_ptr<site_link::SiteClient> client,
-                           const std::function<void(core::ArmDescription&)>& skin)
-    : m_bracelet(m_stop)
-    , m_client(std::move(client)) {
+OperatorSide::OperatorSide(const std::string& file)
+    : m_bracelet(m_stop) {
+    auto devices = app::siteDevicesOf(file, m_stop, [] { return false; });
+    if (!devices) {
+        m_error = core::describe(devices.error());
+        return;
+    }
+    m_client = devices->site;
     m_bracelet.choose(console::BraceletChoice::simulated);
     m_bracelet.setLibrary([](const std::string& id) {
         const pattern::Pattern* pattern = pattern::findBuiltIn(id);
@@ -71,19 +50,18 @@ OperatorSide::OperatorSide(std::shared_ptr<site_link::SiteClient> client,
     });
     m_bracelet.setMap(pattern::PatternMap::defaults());
     m_bracelet.setMode(pipeline::FeedbackMode::stiffness);
-    (void)m_pipeline.open([this, skin]() -> core::Expected<std::shared_ptr<pipeline::Channel>> {
-        TELETA_TRY(auto channel, openChannel(m_client, skin));
-        return channel;
-    });
+    (void)m_pipeline.open(app::makeSourceFactory(devices->devices.front(), m_stop));
     (void)eventually([this] {
-        for (const pipeline::ChannelEvent& event : m_pipeline.takeEvents())
+        for (const pipeline::ChannelEvent& event : m_pipeline.takeEvents()) {
             m_channel = std::dynamic_pointer_cast<pipeline::ArmChannel>(event.channel);
-        return m_channel != nullptr;
+            m_error = event.channel ? "the arm has no pad" : core::describe(event.error);
+        }
+        return m_channel != nullptr || !m_error.empty();
     });
     if (!m_channel)
         return;
     // Pressed this slowly, a soft object is felt by the elbow long after the shoulder has felt it.
-    pipeline::ArmSettings settings;
+    pipeline::ArmSettings settings = m_channel->settings();
     settings.touch.elbowWait_s = kElbowWait_s;
     m_channel->post(settings);
     m_channel->setFeedback(m_bracelet.feedback());

@@ -26,16 +26,16 @@ struct Rest {
 /// touches, objects, bracelet), and a hand on the dead-man switch. Thread: one, the GUI's of a console.
 class OperatorSide {
 public:
-    /// Opens the arm and the pad of a site. client: not null. skin: what no site tells of an arm over ROS 2,
-    /// namely where its pad is and how its links are.
-    OperatorSide(std::shared_ptr<site_link::SiteClient> client,
-                 const std::function<void(core::ArmDescription&)>& skin);
+    /// Opens the arm of a site, with its pad, by the file of the console.
+    explicit OperatorSide(const std::string& file);
     ~OperatorSide();
     OperatorSide(const OperatorSide&) = delete;
     OperatorSide& operator=(const OperatorSide&) = delete;
 
     /// Whether arm, pad and bracelet are there.
     [[nodiscard]] bool opened() const { return m_opened; }
+    /// Why not.
+    [[nodiscard]] const std::string& error() const { return m_error; }
     /// Whether control was granted.
     [[nodiscard]] bool takeControl();
     /// Holds the switch and turns one joint at a rate until it holds; then lets go and waits until the arm
@@ -69,6 +69,7 @@ private:
     pipeline::TouchPipeline m_pipeline;
     std::shared_ptr<pipeline::ArmChannel> m_channel;
     bool m_opened = false;
+    std::string m_error;
     std::vector<pipeline::TouchRecord> m_touches;
     std::vector<Rest> m_rests;
     std::int64_t m_rested_ns = 0;

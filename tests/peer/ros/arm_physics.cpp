@@ -202,8 +202,8 @@ std::string taxelName(int taxel) {
 std::string taxelPlace(int taxel) {
     const int row = taxel / ArmPhysics::kColumns;
     const int column = taxel % ArmPhysics::kColumns;
-    return numbers((row - (ArmPhysics::kRows - 1) / 2.0) * ArmPhysics::kPitch_m,
-                   (column - (ArmPhysics::kColumns - 1) / 2.0) * ArmPhysics::kPitch_m, 0);
+    return numbers((column - (ArmPhysics::kColumns - 1) / 2.0) * ArmPhysics::kPitch_m,
+                   (row - (ArmPhysics::kRows - 1) / 2.0) * ArmPhysics::kPitch_m, 0);
 }
 
 /// Boxes that feel what touches the tip in them.
@@ -253,8 +253,8 @@ void addObjects(XMLElement* pairs, XMLElement* tip, XMLElement* world,
     XMLElement* plate = tip->InsertNewChildElement("geom");
     plate->SetAttribute("name", "plate");
     plate->SetAttribute("type", "box");
-    plate->SetAttribute("size", numbers(ArmPhysics::kRows * ArmPhysics::kPitch_m / 2,
-                                        ArmPhysics::kColumns * ArmPhysics::kPitch_m / 2, kPlate_m)
+    plate->SetAttribute("size", numbers(ArmPhysics::kColumns * ArmPhysics::kPitch_m / 2,
+                                        ArmPhysics::kRows * ArmPhysics::kPitch_m / 2, kPlate_m)
                                     .c_str());
     plate->SetAttribute("pos", numbers(0, 0, -kPlate_m).c_str());
     plate->SetAttribute("mass", 0);

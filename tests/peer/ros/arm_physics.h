@@ -38,9 +38,9 @@ public:
     static constexpr double kObjectRadius_m = 0.012;
 
     /// `tip`: the link of the force sensor and of the pad; empty: the last link of the file.
-    /// `withPad`: 84 touch sensors in the plane z = 0 of the tip, and a ball on a slide that presses on them
-    /// along -z. With objects the pad is one hard plate instead, and no ball presses on it: an object touches
-    /// it in a point, which one taxel feels, or two. Objects need a pad.
+    /// `withPad`: 84 touch sensors in the plane z = 0 of the tip, columns along x, rows along y, and a ball
+    /// on a slide that presses on them along -z. With objects the pad is one hard plate instead, and no ball
+    /// presses on it: an object touches it in a point, which one taxel feels, or two. Objects need a pad.
     ArmPhysics(const std::string& urdf, const std::string& tip, bool withPad,
                const std::vector<SoftObject>& objects = {});
     ~ArmPhysics();

@@ -260,11 +260,11 @@ TEST_F(RosRobot, feelsTheBallOnItsPad) {
 }
 
 TEST_F(RosRobot, anObjectPushesLikeASpring) {
-    // The tip looks up. The ball stands 1 mm too low, 20 mm beside the axes of joints 2, 4 and 6,
-    // in the middle of a column: on the line between two taxels both would feel it.
+    // The tip looks up. The ball stands 1 mm too low, beside the axes of joints 2, 4 and 6, in the middle of
+    // a taxel: on the line between two of them both would feel it.
     constexpr double kStiffness_NPerM = 2000.0;
     constexpr double kDepth_m = 0.001;
-    constexpr double kLever_m = 0.02;
+    constexpr double kLever_m = 2.5 * 0.0034;
     constexpr double kBall_m = 0.012;
     const double tip_m = 0.1575 + 0.2025 + kHeightOverJoint2_m;
     start({"--pad", "--torque-sensors", "--object",

@@ -3,7 +3,9 @@
 
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
+#include "backend/arm_model/serial_chain.h"
 #include "backend/core/failure.h"
+#include "backend/pipeline/touch/skin_kinematics.h"
 #include "devices/ros/arm_check.h"
 #include "devices/ros/files/ros_arm_file.h"
 
@@ -11,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace teleta::cli {
@@ -37,6 +42,22 @@ std::string_view wordOf(ros_arm::FindingLevel level) {
     return "problem";
 }
 
+/// Whether the pad that the file names can be where the file says; nothing: it names none.
+std::optional<ros_arm::ArmFinding> padFinding(const ros_arm::RosArmFile& file,
+                                              const std::shared_ptr<const arm_model::SerialChain>& chain) {
+    using Level = ros_arm::FindingLevel;
+    if (!file.touch || file.touch->array.empty())
+        return std::nullopt;
+    const auto pad = pipeline::padOnLink(chain, file.touch->pad);
+    if (!pad)
+        return ros_arm::ArmFinding{"pad", Level::problem,
+                                   QString::fromStdString(core::describe(pad.error()))};
+    return ros_arm::ArmFinding{"pad", Level::good,
+                               ArmCheckReportText::tr("on %1, pressed by %2")
+                                   .arg(QString::fromStdString(file.touch->pad.link),
+                                        QString::fromStdString(chain->joint((*pad)->pressingJoint()).name))};
+}
+
 } // namespace
 
 core::Expected<void> reportArmCheck(const std::string& path, bool json) {
@@ -44,8 +65,10 @@ core::Expected<void> reportArmCheck(const std::string& path, bool json) {
     const core::Expected<ros_arm::WatchedArm> watched = ros_arm::watchArm(file, kCheckTime_s, interrupted);
     if (!watched)
         return core::Unexpected(interrupted() ? interruption() : watched.error());
-    const std::vector<ros_arm::ArmFinding> findings =
+    std::vector<ros_arm::ArmFinding> findings =
         ros_arm::findingsOf(file, *watched->chain, watched->observation);
+    if (auto pad = padFinding(file, watched->chain))
+        findings.push_back(std::move(*pad));
     constexpr std::array<std::string_view, 3> kColumns{"check", "result", "detail"};
     TELETA_TRY(RowOutput rows, RowOutput::open(kColumns, {json, {}}));
     for (const ros_arm::ArmFinding& finding : findings) {

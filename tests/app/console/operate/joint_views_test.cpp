@@ -5,7 +5,11 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/urdf_reader.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/arm_channel.h"
+#include "backend/pipeline/touch/skin_kinematics.h"
+#include "tests/backend/pipeline/pad_on_arm.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
+#include "tests/backend/pipeline/scripted_source.h"
 #include "widgets/charts/joint_chart_view.h"
 #include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_panel.h"
@@ -21,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 using namespace teleta;
 using console::OperateDocks;
@@ -120,6 +125,42 @@ private slots:
             QCOMPARE(OperateDocks::belongs(OperateDocks::Kind::joints, dock), expected);
         }
         QVERIFY(desk.jog->isVisible());
+    }
+
+    void aPadIsDrawnOnItsLinkAndItsTouchesAreShown() {
+        Desk desk;
+        auto* arm = new BareArm(*desk.chain); // owned by the channel
+        auto* array = new test::ScriptedSource(core::ArrayLayout{.rows = 9, .columns = 9, .pitchX_m = 0.005});
+        const core::PadPlacement pad = test::padOnLinkFive();
+        auto made = pipeline::ArmChannel::withPad(
+            std::unique_ptr<core::ArmSource>(arm),
+            std::make_shared<pipeline::TouchChannel>(std::unique_ptr<core::TactileSource>(array),
+                                                     pipeline::ChannelSettings{}),
+            desk.chain, pad);
+        QVERIFY2(made.has_value(), made ? "" : core::describe(made.error()).c_str());
+        desk.docks.setKind(OperateDocks::Kind::arm);
+        desk.views.setArm(*made, base::Provenance::live);
+        QCOMPARE(desk.views.arm(), *made);
+        const JointVector q{0.3, -0.7, 0.2, 1.1, -0.4, 0.8, 0.5};
+        core::JointSample sample;
+        sample.time_ns = core::steadyNow_ns();
+        sample.sourceTime_s = 1e-9 * static_cast<double>(sample.time_ns);
+        sample.angle_rad = sample.reference_rad = q;
+        sample.torque_Nm = JointVector::zeros(7);
+        (void)arm->push(sample);
+        std::vector<float> frame(81, 0.0F);
+        frame[3 * 9 + 6] = 2.0F; // the fourth row, the seventh column
+        (void)array->push(frame, sample.sourceTime_s);
+        (void)(*made)->process();
+        desk.views.tick();
+        const std::size_t link = *desk.chain->model().findLink(pad.link);
+        const Eigen::Isometry3d X_Base_Pad = desk.chain->linkPoses(q)[link] * pipeline::X_Link_Sensor(pad);
+        QVERIFY(desk.scene->sensorPose().isApprox(X_Base_Pad, 1e-9));
+        QVERIFY(!desk.scene->armBox_m().isEmpty());
+        const auto& contact = (*made)->snapshot().contact;
+        QVERIFY(contact.has_value());
+        QVERIFY((contact->p_Base_Contact_m - X_Base_Pad * Eigen::Vector3d(0.010, -0.005, 0.0)).norm() < 1e-9);
+        QVERIFY2(desk.jog->refusal().isEmpty(), qPrintable(desk.jog->refusal()));
     }
 
     void theArmIsDrawnWhereItsJointsAre() {
