@@ -136,6 +136,11 @@ RunningSite::openForCheck(const SiteFile& file, SiteLog& log, const std::functio
     std::unique_ptr<RunningSite> site(new RunningSite(log));
     TELETA_TRY(const auto participant, file.meeting.join());
     TELETA_CHECK(site->openDevices(file, cancelled));
+    const bool allOpened =
+        std::ranges::all_of(site->m_devices, [](const Device& device) { return device.channel != nullptr; });
+    // The links of an arm that cannot be opened are not known.
+    if (const auto placed = site->placePads(file); !placed && allOpened)
+        site->m_misplaced = core::describe(placed.error());
     return site;
 }
 
@@ -207,6 +212,8 @@ core::Expected<void> RunningSite::placePads(const SiteFile& file) {
         if (wearer == nullptr)
             return place(
                 RunningSiteText::tr("no arm has the link %1").arg(QString::fromStdString(device.pad->link)));
+        if (wearer->pad())
+            return place(RunningSiteText::tr("the arm wears another array already"));
         core::PadPlacement pad = *device.pad;
         const auto* arm = dynamic_cast<const ros_arm::RosArm*>(&wearer->device());
         if (arm != nullptr && arm->file().touch) {
@@ -301,6 +308,8 @@ std::vector<std::string> RunningSite::problems() const {
         if (!reason.empty())
             found.push_back(device.id + ": " + reason);
     }
+    if (!m_misplaced.empty())
+        found.push_back(m_misplaced);
     if (const std::optional<core::Error> error = m_streams ? m_streams->pictureProblem() : std::nullopt)
         found.push_back(core::describe(*error));
     return found;

@@ -72,6 +72,7 @@ private:
     std::shared_ptr<core::RequiredDevices> m_required = std::make_shared<core::RequiredDevices>();
     pipeline::TouchPipeline m_pipeline;
     std::vector<Device> m_devices;
+    std::string m_misplaced; ///< of a check: why an array cannot be where its frame says
     std::shared_ptr<recording::Recorder> m_recorder;
     bool m_recorderFailed = false;
     std::shared_ptr<site_link::SiteStreams> m_streams;

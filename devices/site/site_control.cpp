@@ -8,6 +8,7 @@
 #include "devices/site/boot_name.h"
 #include "devices/site/lent_texts.h"
 #include "devices/site/site_streams.h"
+#include "devices/site/stream_descriptions.h"
 
 #include <algorithm>
 #include <array>
@@ -164,7 +165,7 @@ void SiteControl::tellInfo(const std::vector<recording::StreamInfo>& streams) {
         info.kind = texts(topic.kind);
         info.topic = texts(topic.name);
         info.unit = texts(stream.unit);
-        info.frame_id = texts("");
+        info.frame_id = texts(frameOf(stream, streams));
         info.rate_hz = stream.nominalRate_Hz;
         info.simulated = std::ranges::any_of(m_arms, [&](const SiteArm& arm) {
             return arm.name == device && arm.source->description().simulated;

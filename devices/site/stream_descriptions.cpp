@@ -75,4 +75,27 @@ core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string
     return streams;
 }
 
+std::string frameOf(const recording::StreamInfo& stream, const std::vector<recording::StreamInfo>& all) {
+    using recording::StreamKind;
+    const auto detail = [](const ordered_json& details, const char* key) {
+        const auto found = details.is_object() ? details.find(key) : details.end();
+        return found != details.end() && found->is_string() ? found->get<std::string>() : std::string();
+    };
+    const auto detailsOf = [](const recording::StreamInfo& of) {
+        return ordered_json::parse(of.details, nullptr, /*allow_exceptions=*/false);
+    };
+    if (stream.kind == StreamKind::joints)
+        return detail(detailsOf(stream), "base_link");
+    if (stream.kind == StreamKind::wrench)
+        return detail(detailsOf(stream), "frame");
+    for (const recording::StreamInfo& joints : all) {
+        if (stream.kind != StreamKind::array || joints.kind != StreamKind::joints)
+            continue;
+        const ordered_json details = detailsOf(joints);
+        if (detail(details, "skin_stream") == stream.name && details.contains("pad"))
+            return detail(details["pad"], "link");
+    }
+    return {};
+}
+
 } // namespace teleta::site_link

@@ -19,4 +19,9 @@ namespace teleta::site_link {
 [[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string& text,
                                                                              const std::string& from);
 
+/// The frame in which a stream's values are: the base of an arm's joints, the tip for a force at the wrist,
+/// the link that bears an array. Empty: nobody knows. all: of the site.
+[[nodiscard]] std::string frameOf(const recording::StreamInfo& stream,
+                                  const std::vector<recording::StreamInfo>& all);
+
 } // namespace teleta::site_link

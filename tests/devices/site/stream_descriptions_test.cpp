@@ -43,6 +43,29 @@ TEST(StreamDescriptions, areReadAsTheyWereWritten) {
     EXPECT_TRUE(readStreams(describeStreams({}), "lab")->empty());
 }
 
+TEST(StreamDescriptions, tellTheFrameOfTheValues) {
+    using recording::StreamKind;
+    std::vector<recording::StreamInfo> all(4);
+    all[0].name = "arm-joints";
+    all[0].kind = StreamKind::joints;
+    all[0].details = R"({"base_link": "base", "skin_stream": "pad-frames", "pad": {"link": "forearm"}})";
+    all[1].name = "pad-frames";
+    all[1].kind = StreamKind::array;
+    all[2].name = "arm-wrench";
+    all[2].kind = StreamKind::wrench;
+    all[2].details = R"({"frame": "tool0"})";
+    all[3].name = "mat-frames";
+    all[3].kind = StreamKind::array;
+    all[3].details = "no JSON";
+    EXPECT_EQ(frameOf(all[0], all), "base");
+    EXPECT_EQ(frameOf(all[1], all), "forearm");
+    EXPECT_EQ(frameOf(all[2], all), "tool0");
+    EXPECT_EQ(frameOf(all[3], all), "");
+    all[0].details = "[]";
+    EXPECT_EQ(frameOf(all[0], all), "");
+    EXPECT_EQ(frameOf(all[1], all), "");
+}
+
 TEST(StreamDescriptions, whatIsNoDescriptionIsRefused) {
     for (
         const char* text :

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // teleta-site with a robot of Fast DDS and MuJoCo, and consoles at it. The robot's log says where the arm was
 // and when; its clock is the steady one of this computer.
+#include "backend/pipeline/recorded/recorded_sources.h"
+#include "backend/recording/recording.h"
 #include "robot_fixture.h"
 #include "tests/peer/site/site_process.h"
 
@@ -129,6 +131,45 @@ TEST_F(SiteRobot, theArmIsHeldWithoutADeviceThatItRequires) {
     ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
     console.press(kRate_radPerS);
     EXPECT_TRUE(console.moves());
+}
+
+/// An array with a frame is a part of the arm for consoles, and in what they record.
+TEST_F(SiteRobot, anArrayWithAFrameIsWornByItsArm) {
+    start(140, {"--pad"});
+    writeBeside("pad.toml",
+                "kind = \"ros_tactile\"\nname = \"pad\"\ntopic = \"/pad/tactile\"\n"
+                "format = \"Float64MultiArray\"\nrows = 14\ncols = 6\npitch_mm = 3.4\nrate_Hz = 100\n"
+                "[ros]\ndomain = 140\ninterface = \"lo\"\n");
+    writeFile("", "announce = false\n", "[touch]\nwindow_Nm = [0.8, 2.0]\n");
+    const auto devices = [this](const std::string& link) {
+        return "[[device]]\nfile = \"" + path() + "\"\n[[device]]\nid = \"pad\"\ntaxels = \"" +
+               m_folder.filePath("pad.toml").toStdString() + "\"\nframe = \"" + link + "\"\n";
+    };
+    m_site = std::make_unique<SiteProcess>(141, devices("hand"));
+    QProcess check;
+    check.setProcessChannelMode(QProcess::MergedChannels);
+    check.start(QStringLiteral(TELETA_SITE_PROGRAM), {m_site->folder().filePath("site.toml"), "--check"});
+    ASSERT_TRUE(check.waitForFinished(20'000));
+    EXPECT_EQ(check.exitCode(), 1);
+    const std::string told = check.readAll().toStdString();
+    EXPECT_NE(told.find("no arm has the link hand"), std::string::npos) << told;
+    m_site->setDevices(devices("tool0"));
+    m_site->start();
+    const std::string recorded = m_folder.filePath("record.teleta").toStdString();
+    const ProgramResult record =
+        test::run({"site", "record", m_site->fileOf("r"), "--seconds", "2", "--out", recorded});
+    ASSERT_EQ(record.exitCode, 0) << record.err;
+    const auto opened = recording::Recording::open(recorded);
+    ASSERT_TRUE(opened) << core::describe(opened.error());
+    const auto sources = pipeline::recordedSources(*opened);
+    ASSERT_TRUE(sources) << core::describe(sources.error());
+    EXPECT_TRUE(sources->arms.empty());
+    ASSERT_EQ(sources->arrays.size(), 1U);
+    const pipeline::RecordedSource& arm = sources->arrays.front();
+    EXPECT_TRUE(arm.jointStream && arm.chain);
+    ASSERT_TRUE(arm.arm.pad);
+    EXPECT_EQ(arm.arm.pad->link, "tool0");
+    EXPECT_EQ(arm.arm.pad->torques.windowLow_Nm, 0.8);
 }
 
 TEST_F(SiteRobot, moveItServoMovesTheArmAndHaltsItWhenTheSiteIsKilled) {
