@@ -64,7 +64,7 @@ void ArmViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::touches, m_touches);
     docks.add(OperateDocks::objects, m_sheet);
     docks.add(OperateDocks::contour, m_contour);
-    docks.add(OperateDocks::feedback, m_feedback);
+    docks.addScrolling(OperateDocks::feedback, m_feedback);
 }
 
 void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::Provenance provenance) {

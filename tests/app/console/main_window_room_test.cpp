@@ -23,6 +23,8 @@ namespace {
 
 /// The smallest screen on which all of the window, STOP too, has room.
 constexpr QSize kSmallScreen{1024, 700};
+/// A screen of 1600 x 1000 pixels at scale 1.5, as the window sees it.
+constexpr QSize kScaledScreen{1066, 666};
 
 } // namespace
 
@@ -135,14 +137,17 @@ private slots:
         QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml");
         QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml");
         QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml");
+        QTest::newRow("nothing") << QString();
     }
     void nothingOfOperateScrollsOnASmallScreen() {
         QFETCH(QString, scene);
         ConsoleOptions options;
-        options.size = kSmallScreen;
-        options.scenes = {scene};
+        options.size = kSmallScreen.boundedTo(kScaledScreen);
+        if (!scene.isEmpty())
+            options.scenes = {scene};
         openWindow(options);
-        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
+        if (!scene.isEmpty())
+            QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
         auto& page = m_window->operatePage();
         const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
         for (auto i = languages().size() - 1; i >= 0; --i) {
