@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
 #include "app/console/operate/operate_page.h"
+#include "app/console/start/start_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/start/demo_card.h"
 #include "widgets/chrome/start/demo_list.h"
 #include "widgets/chrome/start/first_steps.h"
+#include "widgets/chrome/start/recent_list.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
@@ -25,6 +27,8 @@ namespace {
 constexpr QSize kSmallScreen{1024, 700};
 /// A screen of 1600 x 1000 pixels at scale 1.5, as the window sees it.
 constexpr QSize kScaledScreen{1066, 666};
+/// The same less the frame of the window.
+constexpr QSize kFramedWindow{1050, 618};
 
 } // namespace
 
@@ -129,6 +133,23 @@ private slots:
                     qPrintable(name + ": " + card->text()));
         }
         languages().front()->trigger();
+    }
+
+    void withRecentFilesTheStartPageIsWholeOnAScaledScreen() {
+        ConsoleOptions options;
+        options.size = kFramedWindow;
+        openWindow(options);
+        const auto* demos = child<chrome::DemoList>();
+        QTRY_VERIFY(!demos->verticalScrollBar()->isVisible());
+        m_window->operatePage().startPage().setRecent(
+            {QStringLiteral("/a/one.mcap"), QStringLiteral("/a/two.mcap"), QStringLiteral("/a/three.mcap")});
+        QTRY_VERIFY(child<chrome::RecentList>()->isVisible());
+        QTRY_VERIFY(!demos->verticalScrollBar()->isVisible());
+        QVERIFY(child<chrome::FirstSteps>()->isVisible());
+        for (const auto* card : m_window->findChildren<chrome::DemoCard*>())
+            QTRY_VERIFY2(
+                m_window->rect().contains(QRect(card->mapTo(m_window.get(), QPoint()), card->size())),
+                qPrintable(card->text()));
     }
 
     void nothingOfOperateScrollsOnASmallScreen_data() {
