@@ -366,6 +366,65 @@ private slots:
         QVERIFY((seen + orbit.direction()).norm() < 1e-9);
     }
 
+    void aClickPicksTheObjectThatIsThereAndADragPicksNone() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.view.setSnapshot(test::pressed(kLayout, {}));
+        const Eigen::Vector3d first(-0.06, 0.04, 0.0);
+        const Eigen::Vector3d second(0.06, -0.04, 0.0);
+        const auto around = [](const Eigen::Vector3d& at) {
+            return std::vector<Eigen::Vector3d>{at, at + Eigen::Vector3d(0.03, 0.0, 0.0)};
+        };
+        std::vector<view3d::DrawnObject> objects(2);
+        objects[0].number = 7;
+        objects[0].points_m = objects[0].curve_m = around(first);
+        objects[1].number = 9;
+        objects[1].points_m = objects[1].curve_m = around(second);
+        objects[1].elsewhere = true; // its contour is drawn by something else
+        stage.view.setObjects(objects);
+        stage.view.look(CameraPreset::top);
+        stage.settle();
+        QWidget* canvas = vtkOf(stage.view).focusProxy();
+        const double scale = vtkOf(stage.view).devicePixelRatioF();
+        const auto pointOf = [&](const Eigen::Vector3d& p_World) {
+            return (QPointF(pixelOf(stage.view, p_World)) / scale).toPoint();
+        };
+        QSignalSpy picked(&stage.view, &Scene3dView::objectPicked);
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, pointOf(first));
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, pointOf(second + Eigen::Vector3d(0.015, 0.0, 0.0)));
+        QCOMPARE(picked.size(), 2);
+        QCOMPARE(picked[0][0].toULongLong(), 7ULL);
+        QCOMPARE(picked[1][0].toULongLong(), 9ULL);
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(3, 3));
+        const QPoint from = pointOf(first);
+        QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(canvas, from + QPoint(60, 0));
+        QTest::mouseMove(canvas, from);
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, from);
+        QCOMPARE(picked.size(), 2);
+    }
+
+    void aMarkedObjectIsDrawnLarger() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.view.setSnapshot(test::pressed(kLayout, {}));
+        std::vector<view3d::DrawnObject> objects(1);
+        objects[0].number = 2;
+        objects[0].points_m = objects[0].curve_m = {{-0.05, 0.05, 0.0}, {0.05, 0.05, 0.0}};
+        stage.view.setObjects(objects);
+        stage.view.look(CameraPreset::top);
+        const QColor colour = base::identityColour(2, false);
+        const int plain = countHue(shown(stage.view), colour);
+        QVERIFY(plain > 0);
+        objects[0].marked = true;
+        stage.view.setObjects(objects);
+        QVERIFY(countHue(shown(stage.view), colour) > 3 * plain / 2);
+        objects[0].marked = false;
+        objects[0].elsewhere = true;
+        stage.view.setObjects(objects);
+        QCOMPARE(countHue(shown(stage.view), colour), 0);
+    }
+
     void panningMovesTheSceneWithTheMouse() {
         Stage stage;
         QVERIFY(stage.ready());
