@@ -65,6 +65,9 @@ if [[ ${1:-} == --handbook ]]; then
     take page-patterns --page patterns --after 6 --theme light
     take page-study "${session[@]}" --theme light
     take page-calibrate --page calibrate --after 5 --theme light
+    # Measured on this machine.
+    "$root/build/run/app/cli/teleta" tradeoff contact-flow stiffness --out "$studies/data/cost"
+    take page-cost --page cost --data "$studies/data" --after 5 --theme light
     exit
 fi
 take operate-touch-dark "${touch[@]}" --theme dark

@@ -22,6 +22,7 @@
 #include "app/console/settings_notice.h"
 #include "app/console/sources/camera_dialog.h"
 #include "app/console/sources/demo_scenes.h"
+#include "app/console/start/recent_names.h"
 #include "app/console/study/study_page.h"
 #include "backend/core/steady_time.h"
 #include "backend/cost/ladders/ladders.h"
@@ -94,6 +95,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
                               : options.dataFolder + QStringLiteral("/cost/tradeoff.csv"),
                           {}, this))
     , m_plot(new PlotPage(m_sources, settings, this))
+    , m_recentNames(new RecentFileNames(this))
     , m_layouts(new LayoutsMenu(m_operate->docks(), settings, this))
     , m_braceletMenu(new BraceletMenu(m_bracelet, settings, this))
     , m_recording(new RecordingControls(m_recorder, m_sources, *m_operate, settings, this))

@@ -44,6 +44,7 @@ class PatternCollection;
 class PatternsPage;
 class PlotPage;
 class RecordingControls;
+class RecentFileNames;
 class RecordingFiles;
 class StudyPage;
 
@@ -155,6 +156,7 @@ private:
     std::unique_ptr<CalibratePage> m_calibrate;
     std::unique_ptr<CostPage> m_cost;
     std::unique_ptr<PlotPage> m_plot;
+    RecentFileNames* m_recentNames;
     LayoutsMenu* m_layouts;
     BraceletMenu* m_braceletMenu;
     std::unique_ptr<RecordingControls> m_recording;

@@ -15,6 +15,7 @@
 #include "app/console/operate/recording/recording_files.h"
 #include "app/console/operate/recording_controls.h"
 #include "app/console/patterns/patterns_page.h"
+#include "app/console/start/recent_names.h"
 #include "app/console/start/start_page.h"
 #include "app/console/study/study_page.h"
 #include "widgets/base/mnemonics.h"
@@ -24,7 +25,6 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -127,11 +127,14 @@ void MainWindow::addRecentMenu(QMenu& file) {
     QMenu* menu = file.addMenu(tr("Open &recent"));
     menu->setObjectName(QStringLiteral("recent"));
     menu->setToolTipsVisible(true);
-    const auto add = [menu](const QString& title, base::Icon icon, const QStringList& paths, auto open) {
+    const auto add = [this, menu](const QString& title, base::Icon icon, const QStringList& paths,
+                                  auto open) {
         if (!paths.isEmpty())
             menu->addSection(title);
-        for (const QString& path : paths) {
-            const QString name = base::withoutMnemonic(QFileInfo(path).fileName());
+        const QList<chrome::RecentName> names = chrome::recentNamesOf(paths, m_recentNames->names());
+        for (qsizetype i = 0; i < names.size(); ++i) {
+            const QString& path = paths[i];
+            const QString name = base::withoutMnemonic(names[i].oneLine());
             menu->addAction(base::themeIcon(icon), name, menu, [path, open] { open(path); })
                 ->setToolTip(path);
         }
@@ -166,6 +169,9 @@ void MainWindow::addRecentMenu(QMenu& file) {
 }
 
 void MainWindow::showRecent() {
+    m_recentNames->ask(m_settings.recentFiles());
+    m_operate->chooser().setRecentNames(m_recentNames->names());
+    m_operate->startPage().recent().setNames(m_recentNames->names());
     m_operate->chooser().setRecent(m_settings.recentFiles());
     m_operate->startPage().setRecent(m_settings.recentFiles());
     m_patterns->editor().setRecent(m_settings.recentPatterns());
@@ -173,6 +179,7 @@ void MainWindow::showRecent() {
 }
 
 void MainWindow::connectStartPage() {
+    connect(m_recentNames, &RecentFileNames::changed, this, &MainWindow::showRecent);
     StartPage& start = m_operate->startPage();
     connect(&start.recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
     connect(&start.recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);

@@ -42,6 +42,13 @@ void EmptyState::setTexts(const QString& headline, const QString& sentence) {
     setAccessibleDescription(sentence);
 }
 
+void EmptyState::setBrief(bool brief) {
+    m_headline->setVisible(!brief);
+    m_sentence->setVisible(!brief);
+    if (m_more != nullptr)
+        m_more->setSpacing(base::grid(this, brief ? 1.0 : base::kSection));
+}
+
 QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) {
     auto* button = new QPushButton(text, this);
     button->setToolTip(toolTip);
@@ -64,7 +71,7 @@ void EmptyState::setMore(QWidget* more) {
     if (m_more == nullptr) {
         m_more = new QVBoxLayout;
         m_more->setSpacing(base::grid(this, base::kSection));
-        m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, base::kSection));
+        m_layout->insertSpacing(m_layout->count() - 1, base::grid(this, base::kGroup));
         // No stretch factor: Qt would give it its minimum size only.
         m_layout->insertLayout(m_layout->count() - 1, m_more);
     }

@@ -21,6 +21,8 @@ class EmptyState : public QWidget {
 public:
     EmptyState(base::Icon icon, QWidget* parent = nullptr);
 
+    /// Leaves out headline and sentence, where what is below needs the room.
+    void setBrief(bool brief);
     void setTexts(const QString& headline, const QString& sentence);
     /// The first action is the default one.
     QPushButton* addAction(const QString& text, const QString& toolTip);

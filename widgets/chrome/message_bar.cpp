@@ -153,8 +153,27 @@ void MessageBar::settle() {
     const int width = std::min(seen.width(), base::em(this, kWidest_em));
     const int height =
         m_layout->hasHeightForWidth() ? m_layout->heightForWidth(width) : m_layout->sizeHint().height();
-    setGeometry(freeCorner(*view, seen, QSize(width, height), *this));
+    FreeCorner corner = freeCorner(*view, seen, QSize(width, height), *this);
+    if (m_reserved > 0 || corner.covers) {
+        const int lowest = view->layout() != nullptr ? view->layout()->minimumSize().height() : seen.height();
+        const int strip = m_layout->hasHeightForWidth() ? m_layout->heightForWidth(seen.width()) : height;
+        const bool hasRoom = lowest - m_reserved + strip <= seen.height();
+        reserve(hasRoom ? strip : 0);
+        if (hasRoom)
+            corner.place = QRect(seen.left(), seen.bottom() + 1 - strip, seen.width(), strip);
+    }
+    setGeometry(corner.place);
     raise();
+}
+
+void MessageBar::reserve(int height) {
+    if (height == m_reserved)
+        return;
+    QLayout* layout = parentWidget()->layout();
+    QMargins margins = layout->contentsMargins();
+    margins.setBottom(margins.bottom() - m_reserved + height);
+    m_reserved = height;
+    layout->setContentsMargins(margins);
 }
 
 bool MessageBar::event(QEvent* event) {
@@ -212,6 +231,8 @@ void MessageBar::rebuild() {
     }
     if (!m_entries.empty())
         settle();
+    else if (m_reserved > 0)
+        reserve(0);
     setVisible(!m_entries.empty());
     if (shown == 0) {
         m_age.stop();

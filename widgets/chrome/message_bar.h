@@ -34,8 +34,9 @@ struct Message {
 /// corner is the one where they cover the fewest controls, see freeCorner(). Information leaves by itself
 /// after it has been seen for a while, unless the pointer or the keyboard is on it; warnings and errors stay
 /// until they are closed. A repeated notice is counted instead of added; at most three are shown, older ones
-/// follow when these are closed. The bar takes no room in a layout, so nothing moves under the mouse, and it
-/// never blocks. All notices are kept in the MessageLog. Thread: GUI.
+/// follow when these are closed. Where each corner has a control or a table, the view gives it a strip at its
+/// lower edge as long as there are notices, if it can be made so much lower. Nothing above moves under the
+/// mouse, and it never blocks. All notices are kept in the MessageLog. Thread: GUI.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -70,6 +71,8 @@ private:
     void rebuild();
     /// Moves it to its place over the view.
     void settle();
+    /// Height of the strip that the view's layout leaves free at its lower edge.
+    void reserve(int height);
     [[nodiscard]] QWidget* makeRow(std::size_t index);
 
     QVBoxLayout* m_layout = new QVBoxLayout(this);
@@ -77,6 +80,7 @@ private:
     std::vector<Entry> m_entries;
     std::chrono::milliseconds m_showing{6000};
     QTimer m_age;
+    int m_reserved = 0;
 };
 
 } // namespace teleta::chrome

@@ -3,10 +3,10 @@
 
 #include "widgets/base/compose.h"
 #include "widgets/base/icons.h"
+#include "widgets/base/mnemonics.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
@@ -85,6 +85,11 @@ void SourceChooser::setRecent(const QStringList& paths) {
     rebuildMenu();
 }
 
+void SourceChooser::setRecentNames(const RecentNames& names) {
+    m_recentNames = names;
+    rebuildMenu();
+}
+
 void SourceChooser::rebuildMenu() {
     m_menu->clear();
     QString group;
@@ -116,8 +121,10 @@ void SourceChooser::rebuildMenu() {
     if (m_recent.isEmpty())
         return;
     m_menu->addSeparator();
-    for (const QString& path : m_recent) {
-        QAction* action = m_menu->addAction(QFileInfo(path).fileName());
+    const QList<RecentName> names = recentNamesOf(m_recent, m_recentNames);
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const QString& path = m_recent[i];
+        QAction* action = m_menu->addAction(base::withoutMnemonic(names[i].oneLine()));
         action->setToolTip(path);
         connect(action, &QAction::triggered, this, [this, path] { emit recentRequested(path); });
     }

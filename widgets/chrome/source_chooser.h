@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/base/controls/provenance_stripe.h"
+#include "widgets/chrome/recent_name.h"
 
 #include <QComboBox>
 #include <QMenu>
@@ -37,6 +38,8 @@ public:
     void setSources(const std::vector<Source>& sources, std::uint64_t active);
     void setDemos(const std::vector<Demo>& demos);
     void setRecent(const QStringList& paths);
+    /// What the menu calls them; a file of an unknown name has that of the file.
+    void setRecentNames(const RecentNames& names);
 
     /// The menu of sources to open, for the File menu too.
     [[nodiscard]] QMenu* openMenu() const { return m_menu; }
@@ -63,6 +66,7 @@ private:
     QMenu* m_menu = new QMenu(this);
     std::vector<Source> m_sources;
     std::vector<Demo> m_demos;
+    RecentNames m_recentNames;
     QStringList m_recent;
 };
 

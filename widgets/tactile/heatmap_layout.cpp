@@ -10,6 +10,15 @@ namespace teleta::tactile {
 
 namespace {
 
+constexpr double kBeside_em = 9.5; ///< width of a legend beside the array
+constexpr double kLabels_em = 2.5; ///< width of the labels of contacts beside it
+constexpr double kNarrow_em = 8.0; ///< width of an array on which labels would hide its contacts
+constexpr double kGain = 1.1;      ///< of the size of its taxels, from which the legend goes beside it
+
+/// Device pixels of a taxel from which it is a whole number of them: of smaller ones, too much room would be
+/// lost.
+constexpr double kWholePixels = 5.0;
+
 /// Centre along one axis so that the array covers the viewport, or is centred when it is smaller.
 double clampedAlong(double centre, double taxels, double visibleTaxels) {
     if (visibleTaxels >= taxels)
@@ -56,6 +65,9 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
     m_viewport = QRectF(inner.left() + axisLeft, m_header.bottom() + 1.1 * em, 0.0, 0.0);
     m_viewport.setRight(std::max(m_viewport.left() + 1.0, inner.right() - barLabels - barWidth - em));
     m_viewport.setBottom(std::max(m_viewport.top() + 1.0, m_legend.top() - axisBottom));
+    const double besideAt = inner.right() - kBeside_em * em;
+    const double besideRight = besideAt - barLabels - barWidth - (1.0 + kLabels_em) * em;
+    const double besideBottom = inner.bottom() - axisBottom;
 
     const double columns = m_array.columns;
     const double rows = m_array.rows;
@@ -63,8 +75,21 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
     const double shorter_m = std::min(m_array.pitchX_m, m_array.pitchY_m);
     const double width = m_array.pitchX_m / shorter_m;
     const double height = m_array.pitchY_m / shorter_m;
-    double fitted = std::min(m_viewport.width() / (columns * width), m_viewport.height() / (rows * height));
-    if (fitted * dpr >= 2.0)
+    const auto fit = [&](const QRectF& room) {
+        return std::min(room.width() / (columns * width), room.height() / (rows * height));
+    };
+    QRectF beside = m_viewport;
+    beside.setRight(std::max(beside.left() + 1.0, besideRight));
+    beside.setBottom(std::max(beside.top() + 1.0, besideBottom));
+    m_isLegendBeside = fit(beside) > kGain * fit(m_viewport);
+    if (m_isLegendBeside) {
+        m_viewport = beside;
+        const double middle = m_header.bottom() + 0.5 * (inner.bottom() - m_header.bottom());
+        m_legend = QRectF(QPointF(besideAt, m_header.bottom()), QPointF(inner.right(), middle));
+        m_readout = QRectF(QPointF(besideAt, middle), inner.bottomRight());
+    }
+    double fitted = fit(m_viewport);
+    if (fitted * dpr >= kWholePixels)
         fitted = std::floor(fitted * dpr) / dpr;
     fitted *= std::max(1.0, zoom.factor);
     m_cell = {fitted * width, fitted * height};
@@ -80,8 +105,10 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
 
     const double barHeight =
         std::clamp(m_visible.height(), std::min(7.0 * em, m_viewport.height()), 24.0 * em);
-    m_colourBar =
-        QRectF(m_visible.right() + em, m_visible.center().y() - 0.5 * barHeight, barWidth, barHeight);
+    if (m_isLegendBeside && m_visible.width() < kNarrow_em * em)
+        m_labels = QRectF(m_visible.right() + 0.5 * em, m_visible.top(), kLabels_em * em, m_visible.height());
+    m_colourBar = QRectF(m_visible.right() + m_labels.width() + em, m_visible.center().y() - 0.5 * barHeight,
+                         barWidth, barHeight);
     if (m_colourBar.top() < m_viewport.top())
         m_colourBar.moveTop(m_viewport.top());
 }

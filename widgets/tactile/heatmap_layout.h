@@ -16,14 +16,19 @@ namespace teleta::tactile {
 
 /// Layout of a heatmap in px, and the map between the sensor frame {s} and the picture. {s} is drawn as seen
 /// from outside the skin: x to the right, y up, z towards the viewer; row 0 is at the bottom. Cells have the
-/// shape of the array's; at zoom 1 their shorter side is a whole number of device pixels if there is room.
+/// shape of the array's; at zoom 1 their shorter side is a whole number of device pixels if these are five or
+/// more.
 class HeatmapLayout {
 public:
     HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics, const core::TaxelLayout& taxels,
                   const HeatmapZoom& zoom, double devicePixelRatio);
 
     [[nodiscard]] const QRectF& header() const { return m_header; }
+    /// Below the array; beside it where the array is narrow and so becomes larger.
     [[nodiscard]] const QRectF& legend() const { return m_legend; }
+    [[nodiscard]] bool isLegendBeside() const { return m_isLegendBeside; }
+    /// Right of a narrow array, on which labels of contacts would hide them; otherwise empty.
+    [[nodiscard]] const QRectF& labels() const { return m_labels; }
     [[nodiscard]] const QRectF& readout() const { return m_readout; }
     [[nodiscard]] const QRectF& colourBar() const { return m_colourBar; }
     /// The array, including its parts outside the viewport.
@@ -50,7 +55,8 @@ public:
 private:
     core::TaxelLayout m_taxels;
     core::ArrayLayout m_array; ///< the cells
-    QRectF m_header, m_legend, m_readout, m_colourBar, m_viewport, m_sensor, m_visible;
+    QRectF m_header, m_legend, m_readout, m_colourBar, m_viewport, m_sensor, m_visible, m_labels;
+    bool m_isLegendBeside = false;
     QSizeF m_cell{1.0, 1.0};
     double m_perMetre = 1.0; ///< px
 };

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <ranges>
 #include <vector>
 
 namespace teleta::tactile {
@@ -101,12 +102,14 @@ void HeatmapPainter::paint(QPainter& painter, const HeatmapLayout& layout, const
     if (content.shows(Overlay::principalAxis))
         paintAxis();
     paintMarks();
-    if (content.shows(Overlay::contacts))
+    if (content.shows(Overlay::contacts) && layout.labels().isEmpty())
         paintContactLabels();
     paintCursor();
     if (content.old)
         paintVeil();
     painter.restore();
+    if (content.shows(Overlay::contacts) && !layout.labels().isEmpty())
+        paintLabelsBeside();
     paintColourBar();
     if (content.old)
         paintVeilText();
@@ -329,13 +332,66 @@ void HeatmapPainter::paintContactLabels() {
             std::ranges::any_of(taken, [&](const QRectF& other) { return chip.intersects(other); }))
             continue;
         taken.push_back(chip);
-        const QColor colour = base::identityColour(contact.id, true);
-        m_painter->setPen(Qt::NoPen);
-        m_painter->setBrush(colour);
-        m_painter->drawRoundedRect(chip, 2.0, 2.0);
-        m_painter->setPen(base::readableOn(colour));
-        m_painter->drawText(chip, Qt::AlignCenter, text);
+        paintChip(chip, contact.id, text);
     }
+    m_painter->setBrush(Qt::NoBrush);
+    m_painter->setFont(normal);
+}
+
+void HeatmapPainter::paintChip(const QRectF& chip, int id, const QString& text) {
+    const QColor colour = base::identityColour(id, true);
+    m_painter->setPen(Qt::NoPen);
+    m_painter->setBrush(colour);
+    m_painter->drawRoundedRect(chip, 2.0, 2.0);
+    m_painter->setPen(base::readableOn(colour));
+    m_painter->drawText(chip, Qt::AlignCenter, text);
+}
+
+/// Each at the height of its contact, or as near as the others leave room, with a line to it.
+void HeatmapPainter::paintLabelsBeside() {
+    if (m_content->snapshot.labels.empty())
+        return;
+    const QFont normal = m_painter->font();
+    const QFont font = base::bold(base::sized(normal, base::kSmallText));
+    m_painter->setFont(font);
+    m_painter->setRenderHint(QPainter::Antialiasing);
+    const QFontMetricsF metrics(font);
+    const QRectF& room = m_layout->labels();
+    const double height = metrics.height() + 2.0;
+    struct Label {
+        int id = 0;
+        QPointF at;
+        double top = 0.0;
+    };
+    std::vector<Label> labels;
+    for (const contact::Contact& contact : m_content->snapshot.contacts) {
+        const auto [above, below] = endsOf(contact);
+        const QPointF at(above.x(), 0.5 * (above.y() + below.y()));
+        if (m_layout->visible().contains(at))
+            labels.push_back({contact.id, at, at.y() - 0.5 * height});
+    }
+    std::ranges::sort(labels, {}, [](const Label& label) { return label.at.y(); });
+    double next = room.top();
+    for (Label& label : labels) {
+        label.top = std::max(label.top, next);
+        next = label.top + height + 1.0;
+    }
+    double last = room.bottom();
+    for (Label& label : labels | std::views::reverse) {
+        label.top = std::min(label.top, last - height);
+        last = label.top - 1.0;
+    }
+    for (const Label& label : labels) {
+        if (label.top < room.top() - 0.5)
+            continue; // more than there is room for: the list of contacts has them
+        const QString text = QStringLiteral("#%1").arg(label.id);
+        const QRectF chip(room.left(), label.top,
+                          std::min(room.width(), metrics.horizontalAdvance(text) + 0.6 * m_em), height);
+        m_painter->setPen(QPen(base::identityColour(label.id, true), 1.0));
+        m_painter->drawLine(QPointF(chip.left(), chip.center().y()), label.at);
+        paintChip(chip, label.id, text);
+    }
+    m_painter->setRenderHint(QPainter::Antialiasing, false);
     m_painter->setBrush(Qt::NoBrush);
     m_painter->setFont(normal);
 }
@@ -436,19 +492,23 @@ void HeatmapPainter::paintLegend() {
     m_painter->setFont(base::sized(normal, base::kSmallText));
     const QFontMetricsF metrics(m_painter->font());
     m_painter->setRenderHint(QPainter::Antialiasing);
-    double x = rect.left();
+    QRectF line = rect;
+    line.setHeight(std::min(rect.height(), 1.4 * m_em));
     const double radius = 0.3 * m_em;
     const auto item = [&](const QString& text, auto&& symbol) {
         const double width = 1.2 * m_em + base::tabularWidth(metrics, text) + m_em;
-        if (x + width > rect.right() + m_em)
+        if (line.left() + width > rect.right() + m_em || line.bottom() > rect.bottom() + 0.5)
             return;
         m_painter->setPen(QPen(ink, std::max(1.5, 0.11 * m_em), Qt::SolidLine, Qt::RoundCap));
         m_painter->setBrush(Qt::NoBrush);
-        symbol(QPointF(x + 0.5 * m_em, rect.center().y()));
+        symbol(QPointF(line.left() + 0.5 * m_em, line.center().y()));
         m_painter->setPen(ink);
-        base::drawTabularText(*m_painter, QRectF(x + 1.2 * m_em, rect.top(), width, rect.height()),
+        base::drawTabularText(*m_painter, QRectF(line.left() + 1.2 * m_em, line.top(), width, line.height()),
                               Qt::AlignLeft | Qt::AlignVCenter, text);
-        x += width;
+        if (m_layout->isLegendBeside())
+            line.translate(0.0, line.height());
+        else
+            line.setLeft(line.left() + width);
     };
     if (m_content->shows(Overlay::centreOfPressure))
         item(tr("centre of pressure"), [&](const QPointF& p) { drawCross(*m_painter, p, 0.8 * radius); });
@@ -490,7 +550,10 @@ void HeatmapPainter::paintReadout() {
     m_painter->setPen(m_palette.color(m_content->cursor ? QPalette::Text : QPalette::PlaceholderText));
     const QString text =
         m_content->cursor ? taxelText(*m_content, *m_content->cursor) : tr("Point at a taxel to read it.");
-    base::drawTabularText(*m_painter, m_layout->readout(), Qt::AlignLeft | Qt::AlignVCenter, text);
+    if (m_layout->isLegendBeside())
+        m_painter->drawText(m_layout->readout(), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
+    else
+        base::drawTabularText(*m_painter, m_layout->readout(), Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
 } // namespace teleta::tactile

@@ -36,6 +36,8 @@ private:
     void paintValues();
     void paintContacts();
     void paintContactLabels();
+    void paintLabelsBeside();
+    void paintChip(const QRectF& chip, int id, const QString& text);
     void paintAxis();
     void paintMarks();
     void paintCursor();

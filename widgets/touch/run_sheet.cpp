@@ -7,6 +7,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QTableView>
@@ -62,6 +63,15 @@ void RunSheet::copy() const {
 void RunSheet::setProvenance(base::Provenance provenance) {
     SheetView::setProvenance(provenance);
     showHint();
+}
+
+void RunSheet::select(std::uint64_t object) {
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        if (m_model->object(row).number != object)
+            continue;
+        view()->selectRow(row);
+        view()->scrollTo(m_model->index(row, RunSheetModel::name));
+    }
 }
 
 void RunSheet::removeSelected() {

@@ -5,6 +5,7 @@
 #include "widgets/touch/run_sheet_model.h"
 #include "widgets/touch/sheet_view.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace teleta::touch {
@@ -24,6 +25,8 @@ public:
     /// All rows as CSV.
     [[nodiscard]] QString csv() const { return runSheetText(*m_model, provenance()); }
     void removeSelected();
+    /// Selects the row of an object, and no other; one that is not on the sheet is ignored.
+    void select(std::uint64_t object);
     /// Of the current object, whichever of its columns is the current one.
     void editName();
     void undo() { m_model->undoStack().undo(); }

@@ -74,6 +74,7 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneMarks& mar
     content.legend = legendOf(scene, marks.wrench, request);
 
     if (scene.hasSensor()) {
+        content.array = placeInPicture(*scene.renderer(), scene.toWorld(Eigen::Vector3d::Zero()));
         content.loadRange = scene.loadRange_N();
         content.loadUnit = QString::fromStdString(scene.snapshot().loadUnit);
         if (scene.axesShown()) {
@@ -98,7 +99,7 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneMarks& mar
     if (!contour.isEmpty() && !request.shapeLabel.isEmpty()) {
         const Eigen::Vector3d above(contour.center().x(), contour.center().y(), contour.max().z());
         if (const auto place = placeInPicture(*scene.renderer(), above))
-            content.labels.push_back({*place, request.shapeLabel, colours.contourCurve, true});
+            content.labels.push_back({*place, request.shapeLabel, colours.contourCurve, true, true});
     }
     return content;
 }
@@ -189,8 +190,11 @@ void OverlayMaker::addObjects(const TouchScene& scene, OverlayContent& content) 
             box.extend(p);
         const Eigen::Vector3d above(box.center().x(), box.center().y(), box.max().z());
         const auto place = placeInPicture(*scene.renderer(), above);
+        if (objects[i].elsewhere && !objects[i].marked)
+            continue;
         if (place && !objects[i].label.isEmpty())
-            content.labels.push_back({*place, objects[i].label, scene.objects().colourOf(objects[i]), true});
+            content.labels.push_back(
+                {*place, objects[i].label, scene.objects().colourOf(objects[i]), true, true});
     }
 }
 

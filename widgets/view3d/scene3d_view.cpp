@@ -12,6 +12,7 @@
 #include "widgets/view3d/scene/touch_scene.h"
 #include "widgets/view3d/scene_camera.h"
 #include "widgets/view3d/scene_layers.h"
+#include "widgets/view3d/scene_picker.h"
 #include "widgets/view3d/view_icons.h"
 #include "widgets/view3d/vtk/vtk_widget.h"
 
@@ -41,6 +42,7 @@ constexpr double kPanStep = 0.08;
 constexpr double kZoomStep = 1.2;
 constexpr double kPictureScale = 2.0;
 constexpr double kTool_em = 1.25;
+constexpr double kReach_em = 1.2; ///< of what the mouse points at
 
 struct PresetAction {
     CameraPreset preset;
@@ -82,6 +84,9 @@ struct Scene3dView::Parts {
     }
 
     [[nodiscard]] base::Figure figure();
+    [[nodiscard]] PicturePoint pointAt(const QPointF& position) const {
+        return {position, vtk->size(), kReach_em * vtk->fontMetrics().height()};
+    }
 
     TouchScene scene;
     SceneMarks marks{scene};
@@ -156,6 +161,10 @@ Scene3dView::Scene3dView(QWidget* parent)
         menu->setAttribute(Qt::WA_DeleteOnClose);
         fillMenu(*menu);
         menu->popup(position);
+    });
+    connect(parts.vtk, &VtkWidget::clicked, this, [this](const QPoint& position) {
+        if (const auto object = objectAt(m_parts->scene, m_parts->pointAt(position)))
+            emit objectPicked(*object);
     });
     connect(&parts.figures, &base::FigureExport::saved, this, &Scene3dView::saved);
     connect(&parts.figures, &base::FigureExport::failed, this, &Scene3dView::failed);
@@ -516,31 +525,16 @@ void Scene3dView::askForGeometryFile() {
                     });
 }
 
-QString Scene3dView::contactTextAt(const QPoint& position) const {
-    const Parts& parts = *m_parts;
-    const double reach_px = 1.2 * fontMetrics().height();
-    const ContactMark* nearest = nullptr;
-    double nearest_px = reach_px;
-    for (const ContactMark& mark : parts.scene.marks()) {
-        if (const auto place =
-                placeInPicture(*parts.scene.renderer(), parts.scene.toWorld(mark.p_Sensor_Foot))) {
-            const QPointF at(place->x() * parts.vtk->width(), place->y() * parts.vtk->height());
-            const QPointF away = at - QPointF(position);
-            if (const double distance_px = std::hypot(away.x(), away.y()); distance_px < nearest_px) {
-                nearest_px = distance_px;
-                nearest = &mark;
-            }
-        }
-    }
-    if (nearest == nullptr)
-        return {};
-    return wordsFor(nearest->contact, QString::fromStdString(parts.scene.snapshot().loadUnit));
-}
-
 bool Scene3dView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        const QString text = contactTextAt(m_parts->vtk->mapFromGlobal(help->globalPos()));
+        const Parts& parts = *m_parts;
+        const ContactMark* mark =
+            contactAt(parts.scene, parts.pointAt(parts.vtk->mapFromGlobal(help->globalPos())));
+        const QString text =
+            mark == nullptr
+                ? QString()
+                : wordsFor(mark->contact, QString::fromStdString(parts.scene.snapshot().loadUnit));
         text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
         return true;
     }

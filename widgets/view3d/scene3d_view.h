@@ -32,8 +32,9 @@ namespace teleta::view3d {
 /// OpenGL, it only stores what it is given.
 ///
 /// Mouse: left turns, middle or Shift+left moves, right or wheel zooms, right click opens the menu; hover
-/// names a contact. Keys: 1 front, 2 top, 3 side, 4 isometric, R or Home the initial view, 5 projection, F
-/// follow, arrows turn, Shift+arrows move, + - zoom, Ctrl+C copies the picture. Thread: GUI.
+/// names a contact, a left click picks an object. Keys: 1 front, 2 top, 3 side, 4 isometric, R or Home the
+/// initial view, 5 projection, F follow, arrows turn, Shift+arrows move, + - zoom, Ctrl+C copies the picture.
+/// Thread: GUI.
 class Scene3dView : public QWidget {
     Q_OBJECT
 public:
@@ -104,6 +105,8 @@ signals:
     /// A picture, its data or the geometry was written.
     void saved(const QString& path);
     void failed(const QString& message);
+    /// An object of setObjects() was clicked.
+    void objectPicked(quint64 number);
     /// A layer was switched on or off.
     void layersChanged();
 
@@ -124,7 +127,6 @@ private:
     void showLayers();
     void sceneMoved(bool refit);
     void askForGeometryFile();
-    [[nodiscard]] QString contactTextAt(const QPoint& position) const;
 
     std::unique_ptr<Parts> m_parts;
 };

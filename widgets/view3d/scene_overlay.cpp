@@ -13,6 +13,8 @@
 #include <QPolygonF>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 namespace teleta::view3d {
@@ -22,6 +24,7 @@ namespace {
 constexpr double kLegendFrom = 15.0; ///< height in em
 constexpr double kSign_em = 1.5;     ///< width of an arrow beside its text
 constexpr double kSignHead_em = 0.5; ///< length of its head
+constexpr double kAtArray_em = 2.0;  ///< of the array's middle: either side is as good
 constexpr double kLeader_em = 2.0;   ///< length of the line to a card at the side
 
 class OverlayPainter {
@@ -46,11 +49,17 @@ public:
                                Qt::AlignCenter | Qt::TextWordWrap, m_content.emptyText);
             return;
         }
-        for (const OverlayLabel& label : m_content.labels)
-            label.boxed ? paintCard(label) : paintText(label);
+        // What stands in the corners is no place for cards.
         paintColourBar();
         const double left = m_content.orientationShown ? paintOrientation() : m_margin;
         paintLegend(left);
+        // Names stay where they are: cards give way to them.
+        for (const OverlayLabel& label : m_content.labels)
+            if (!label.boxed)
+                paintText(label);
+        for (const OverlayLabel& label : m_content.labels)
+            if (label.boxed)
+                paintCard(label);
     }
 
 private:
@@ -72,8 +81,9 @@ private:
         m_painter.setPen(label.colour);
         const QSizeF room(m_metrics.horizontalAdvance(label.text), m_metrics.height());
         const QPointF middle = placed(label);
-        m_painter.drawText(QRectF(middle - QPointF(0.5 * room.width(), 0.5 * room.height()), room),
-                           Qt::AlignCenter, label.text);
+        const QRectF rect(middle - QPointF(0.5 * room.width(), 0.5 * room.height()), room);
+        m_cards.push_back(rect);
+        m_painter.drawText(rect, Qt::AlignCenter, label.text);
     }
 
     void paintCard(const OverlayLabel& label) {
@@ -82,14 +92,9 @@ private:
         const QSizeF room(base::tabularWidth(m_metrics, label.text) + dot + 3.0 * pad,
                           m_metrics.height() * 1.2);
         const QPointF foot = placed(label);
-        QRectF rect(foot - QPointF(0.5 * room.width(), room.height() + 0.4 * m_em), room);
-        if (label.beside) {
-            // Outwards: what the point belongs to is more often in the middle.
-            const bool isLeft = foot.x() < 0.5 * m_size.width();
-            const double left =
-                isLeft ? foot.x() - kLeader_em * m_em - room.width() : foot.x() + kLeader_em * m_em;
-            rect.moveTopLeft({left, foot.y() - 0.5 * room.height()});
-        }
+        QRectF rect = label.beside
+                          ? besides(foot, room)
+                          : QRectF(foot - QPointF(0.5 * room.width(), room.height() + 0.4 * m_em), room);
         rect.moveLeft(
             std::clamp(rect.left(), m_margin, std::max(m_margin, m_size.width() - m_margin - room.width())));
         rect.moveTop(
@@ -118,6 +123,39 @@ private:
                               Qt::AlignLeft | Qt::AlignVCenter, label.text);
     }
 
+    /// Away from the array, or outwards in its middle, since what the point belongs to is there; where there
+    /// is no room, below, above, or on the other side, so that no card comes to lie on a point that another
+    /// one names.
+    [[nodiscard]] QRectF besides(const QPointF& foot, const QSizeF& room) const {
+        const double away = kLeader_em * m_em;
+        const double left = foot.x() - away - room.width();
+        const double right = foot.x() + away;
+        const double level = foot.y() - 0.5 * room.height();
+        const double array_px = m_content.array ? m_content.array->x() * m_size.width() : foot.x();
+        const bool isAtArray = std::abs(foot.x() - array_px) < kAtArray_em * m_em;
+        const bool isLeft = foot.x() < (isAtArray ? 0.5 * m_size.width() : array_px);
+        const std::array corners{QPointF(isLeft ? left : right, level),
+                                 QPointF(isLeft ? left : right, level - away),
+                                 QPointF(isLeft ? left : right, level + away),
+                                 QPointF(foot.x() - 0.5 * room.width(), foot.y() + away),
+                                 QPointF(foot.x() - 0.5 * room.width(), foot.y() - away - room.height()),
+                                 QPointF(isLeft ? right : left, level)};
+        const QRectF picture = QRectF(QPointF(), m_size).adjusted(m_margin, m_margin, -m_margin, -m_margin);
+        const double clear = 0.4 * m_em;
+        for (const QPointF& corner : corners) {
+            const QRectF rect(corner, room);
+            const bool isFree =
+                picture.contains(rect) &&
+                std::ranges::none_of(m_cards, [&](const QRectF& card) { return card.intersects(rect); }) &&
+                std::ranges::none_of(m_content.labels, [&](const OverlayLabel& other) {
+                    return other.boxed && rect.adjusted(-clear, -clear, clear, clear).contains(placed(other));
+                });
+            if (isFree)
+                return rect;
+        }
+        return {corners.front(), room};
+    }
+
     void paintColourBar() {
         const double height = std::min(0.4 * m_size.height(), 10.0 * m_em);
         const double width = 0.7 * m_em;
@@ -135,6 +173,8 @@ private:
         m_painter.setBrush(ramp);
         m_painter.drawRect(bar);
         m_painter.setPen(m_content.colours.text);
+        m_cards.emplace_back(QPointF(bar.left() - 2.5 * m_em, 0.0),
+                             QPointF(m_size.width(), bar.bottom() + m_em));
         const double textWidth = 8.0 * m_em;
         constexpr int kTicks = 2;
         for (int i = 0; i <= kTicks; ++i) {
@@ -167,6 +207,7 @@ private:
             m_painter.drawText(QRectF(name - QPointF(m_em, m_em), QSizeF(2.0 * m_em, 2.0 * m_em)),
                                Qt::AlignCenter, axisName(axis));
         }
+        m_cards.emplace_back(centre - QPointF(2.3, 2.3) * m_em, QSizeF(4.6, 4.6) * m_em);
         m_painter.setPen(Qt::NoPen);
         m_painter.setBrush(m_content.colours.text);
         m_painter.drawEllipse(centre, 0.12 * m_em, 0.12 * m_em);
@@ -233,7 +274,7 @@ private:
     QFontMetricsF m_metrics;
     double m_em;
     double m_margin;
-    std::vector<QRectF> m_cards;
+    std::vector<QRectF> m_cards; ///< and what else is not to be covered
 };
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -47,6 +48,7 @@ struct OverlayContent {
     QString loadUnit;
     std::vector<LegendLine> legend;
     std::vector<OverlayLabel> labels;
+    std::optional<QPointF> array; ///< middle of the array, as a label's place: cards go away from it
     bool orientationShown = false;
     /// Directions x, y, z on the screen: right, up, toward the viewer.
     std::array<std::array<double, 3>, 3> orientation{};

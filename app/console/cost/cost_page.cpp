@@ -245,7 +245,7 @@ QWidget* CostPage::makeCameraColumn() {
                           m_stages, m_budgetLabel, m_budget_ms, m_budgetText, m_useBest});
     layout->insertSpacing(layout->indexOf(m_budgetLabel), base::grid(this, 2));
     layout->addStretch(1);
-    column->setMinimumWidth(base::em(this, 20));
+    column->setMinimumWidth(base::em(this, 17));
     return column;
 }
 

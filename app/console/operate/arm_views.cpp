@@ -12,6 +12,9 @@
 #include "widgets/touch/touch_texts.h"
 #include "widgets/view3d/scene3d_view.h"
 
+#include <QItemSelectionModel>
+#include <QTableView>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -53,6 +56,9 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Sc
     connect(&objects, &QAbstractItemModel::modelReset, this, &ArmViews::showObjects);
     connect(&objects, &QAbstractItemModel::rowsInserted, this, &ArmViews::showObjects);
     connect(&objects, &QAbstractItemModel::rowsRemoved, this, &ArmViews::showObjects);
+    connect(m_sheet->view()->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ArmViews::showObjects);
+    connect(&m_scene, &view3d::Scene3dView::objectPicked, m_sheet, &touch::RunSheet::select);
     connect(m_contour, &touch::ContourView::exportFailed, this, &ArmViews::exportFailed);
     connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
     connect(m_joints, &JointViews::exportFailed, this, &ArmViews::exportFailed);
@@ -66,7 +72,7 @@ void ArmViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::touches, m_touches);
     docks.add(OperateDocks::objects, m_sheet);
     docks.add(OperateDocks::contour, m_contour);
-    docks.add(OperateDocks::feedback, m_feedback);
+    docks.addScrolling(OperateDocks::feedback, m_feedback);
 }
 
 void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::Provenance provenance) {
@@ -261,17 +267,17 @@ void ArmViews::showObjects() {
     std::vector<view3d::DrawnObject> drawn;
     const touch::RunSheetModel& sheet = m_sheet->model();
     const bool hasContour = m_arm && m_arm->generation() > 0;
+    const QItemSelectionModel& selection = *m_sheet->view()->selectionModel();
     for (int row = 0; row < sheet.rowCount(); ++row) {
         const pipeline::FoundObject& object = sheet.object(row);
         const pipeline::ExploredContour& contour = object.contour;
-        if (hasContour && contour.points_m == m_arm->snapshot().contour.points_m)
-            continue;
         const QString name = sheet.nameOf(object.number);
         drawn.push_back({object.number,
                          name.isEmpty() ? QString::number(object.number)
                                         : QStringLiteral("%1 %2").arg(object.number).arg(name),
                          atHeight(contour.points_m, contour.height_m),
-                         atHeight(contour.curve_m, contour.height_m)});
+                         atHeight(contour.curve_m, contour.height_m), selection.isRowSelected(row),
+                         hasContour && contour.points_m == m_arm->snapshot().contour.points_m});
     }
     m_scene.setObjects(drawn);
 }

@@ -94,6 +94,16 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
 
     m_stack->addWidget(m_start);
     m_stack->addWidget(m_docks);
+    // What is not seen needs no room.
+    const auto giveRoom = [this] {
+        for (QWidget* page : {static_cast<QWidget*>(m_start), static_cast<QWidget*>(m_docks)}) {
+            const auto policy =
+                page == m_stack->currentWidget() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+            page->setSizePolicy(policy, policy);
+        }
+    };
+    connect(m_stack, &QStackedWidget::currentChanged, this, giveRoom);
+    giveRoom();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

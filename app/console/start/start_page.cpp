@@ -22,6 +22,8 @@ namespace {
 constexpr int kPicturesAfter_ms = 1000;
 /// A page that is lower has low cards for the first steps.
 constexpr double kLowPage_em = 44.0;
+/// One that is even lower has no headline; one with files above the cards has none as soon as it is low.
+constexpr double kLowestPage_em = 41.0;
 
 } // namespace
 
@@ -102,8 +104,20 @@ void StartPage::hideEvent(QHideEvent* event) {
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {
-    m_steps->setLow(height() < base::em(this, kLowPage_em));
+    shareRoom();
     EmptyState::resizeEvent(event);
+}
+
+bool StartPage::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) // files have come, or are gone
+        shareRoom();
+    return EmptyState::event(event);
+}
+
+void StartPage::shareRoom() {
+    const bool isLow = height() < base::em(this, kLowPage_em);
+    m_steps->setLow(isLow);
+    setBrief(isLow && (!m_recent->isHidden() || height() < base::em(this, kLowestPage_em)));
 }
 
 void StartPage::retranslate() {

@@ -49,6 +49,7 @@ signals:
     void openListRequested();
 
 protected:
+    bool event(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -56,6 +57,7 @@ protected:
 private:
     void requestPictures();
     void askAgain();
+    void shareRoom();
 
     chrome::FirstSteps* m_steps;
     chrome::RecentList* m_recent;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
 #include "app/console/operate/operate_page.h"
+#include "app/console/start/start_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/start/demo_card.h"
 #include "widgets/chrome/start/demo_list.h"
 #include "widgets/chrome/start/first_steps.h"
+#include "widgets/chrome/start/recent_list.h"
 #include "widgets/chrome/stop_button.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
@@ -23,6 +25,10 @@ namespace {
 
 /// The smallest screen on which all of the window, STOP too, has room.
 constexpr QSize kSmallScreen{1024, 700};
+/// A screen of 1600 x 1000 pixels at scale 1.5, as the window sees it.
+constexpr QSize kScaledScreen{1066, 666};
+/// The same less the frame of the window.
+constexpr QSize kFramedWindow{1050, 618};
 
 } // namespace
 
@@ -129,20 +135,40 @@ private slots:
         languages().front()->trigger();
     }
 
+    void withRecentFilesTheStartPageIsWholeOnAScaledScreen() {
+        ConsoleOptions options;
+        options.size = kFramedWindow;
+        openWindow(options);
+        const auto* demos = child<chrome::DemoList>();
+        QTRY_VERIFY(!demos->verticalScrollBar()->isVisible());
+        m_window->operatePage().startPage().setRecent(
+            {QStringLiteral("/a/one.mcap"), QStringLiteral("/a/two.mcap"), QStringLiteral("/a/three.mcap")});
+        QTRY_VERIFY(child<chrome::RecentList>()->isVisible());
+        QTRY_VERIFY(!demos->verticalScrollBar()->isVisible());
+        QVERIFY(child<chrome::FirstSteps>()->isVisible());
+        for (const auto* card : m_window->findChildren<chrome::DemoCard*>())
+            QTRY_VERIFY2(
+                m_window->rect().contains(QRect(card->mapTo(m_window.get(), QPoint()), card->size())),
+                qPrintable(card->text()));
+    }
+
     void nothingOfOperateScrollsOnASmallScreen_data() {
         QTest::addColumn<QString>("scene");
         QTest::newRow("arm") << QStringLiteral(":/scenes/teleta-touch.toml");
         QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml");
         QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml");
         QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml");
+        QTest::newRow("nothing") << QString();
     }
     void nothingOfOperateScrollsOnASmallScreen() {
         QFETCH(QString, scene);
         ConsoleOptions options;
-        options.size = kSmallScreen;
-        options.scenes = {scene};
+        options.size = kSmallScreen.boundedTo(kScaledScreen);
+        if (!scene.isEmpty())
+            options.scenes = {scene};
         openWindow(options);
-        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
+        if (!scene.isEmpty())
+            QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
         auto& page = m_window->operatePage();
         const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
         for (auto i = languages().size() - 1; i >= 0; --i) {

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -208,6 +209,59 @@ private slots:
         bar.post(message("one"));
         const QRect title(dock->mapTo(&view, QPoint()), QSize(dock->width(), dock->widget()->y()));
         QVERIFY(!bar.geometry().intersects(title));
+    }
+
+    void aTableMakesRoomInsteadOfBeingCovered() {
+        QWidget view;
+        auto* column = new QVBoxLayout(&view);
+        column->setContentsMargins(3, 4, 5, 6);
+        auto* button = new QPushButton(QStringLiteral("Play"), &view);
+        auto* table = new QTableWidget(20, 3, &view);
+        column->addWidget(button);
+        column->addWidget(table, 1);
+        MessageBar bar(&view);
+        const int line = view.fontMetrics().height();
+        view.resize(line * 50, line * 40);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const QRect before = table->geometry();
+        bar.post(message("one"));
+        const auto isClear = [&] {
+            return !bar.geometry().intersects(table->geometry()) &&
+                   !bar.geometry().intersects(button->geometry());
+        };
+        QTRY_VERIFY(isClear());
+        QVERIFY(view.rect().contains(bar.geometry()));
+        QCOMPARE(table->geometry().topLeft(), before.topLeft());
+        bar.post(message("two")); // higher now
+        QTRY_VERIFY(isClear());
+        // The last row can be clicked.
+        table->scrollToBottom();
+        const QModelIndex last = table->model()->index(19, 1);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(last).center());
+        QCOMPARE(table->currentIndex(), last);
+        for (int i = 0; i < 2; ++i)
+            QTest::mouseClick(rows(bar).front()->findChild<QToolButton*>("dismiss"), Qt::LeftButton);
+        QVERIFY(!bar.isVisible());
+        QTRY_COMPARE(table->geometry(), before);
+    }
+
+    void aPictureIsCoveredInACornerAndKeepsItsSize() {
+        QWidget view;
+        auto* column = new QVBoxLayout(&view);
+        auto* picture = new QWidget(&view);
+        picture->setFocusPolicy(Qt::StrongFocus);
+        column->addWidget(picture);
+        MessageBar bar(&view);
+        const int line = view.fontMetrics().height();
+        view.resize(line * 80, line * 40);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const QRect before = picture->geometry();
+        bar.post(message("one"));
+        QCoreApplication::processEvents();
+        QCOMPARE(picture->geometry(), before);
+        QVERIFY(bar.geometry().intersects(before));
     }
 
     void informationLeavesByItselfAndTroubleStays() {

@@ -80,6 +80,20 @@ private slots:
         QCOMPARE(recent[0][0].toString(), QString("/somewhere/run.csv"));
     }
 
+    void theMenuTellsRecordingsByWhatIsInThem() {
+        SourceChooser chooser;
+        chooser.setRecent({"/a/20261129T102231Z-x.teleta", "/a/20261129T104201Z-x.teleta", "/b/run.csv"});
+        chooser.setRecentNames(
+            {{"/a/20261129T102231Z-x.teleta", {"touches & more", "2026-11-29 10:22, 8 s", {}}},
+             {"/a/20261129T104201Z-x.teleta", {"touches & more", "2026-11-29 10:42, 8 s", {}}}});
+        const QList<QAction*> actions = chooser.openMenu()->actions();
+        const qsizetype first = actions.size() - 3;
+        QCOMPARE(actions[first]->text(), QString("touches && more, 2026-11-29 10:22, 8 s"));
+        QCOMPARE(actions[first + 1]->text(), QString("touches && more, 2026-11-29 10:42, 8 s"));
+        QCOMPARE(actions[first + 2]->text(), QString("run.csv"));
+        QCOMPARE(actions[first]->toolTip(), QString("/a/20261129T102231Z-x.teleta"));
+    }
+
     void closesTheSourceThatIsShown() {
         SourceChooser chooser;
         chooser.setSources({{7, "first", Provenance::simulated, false}}, 7);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
 #include "widgets/study/results/confusion_view.h"
 #include "widgets/study/results/interval_chart.h"
 #include "widgets/study/results/page/results_view.h"
@@ -7,9 +8,13 @@
 #include "widgets/study/results/result_table.h"
 #include "widgets/study/results/results_content.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFontMetricsF>
+#include <QImage>
 #include <QMenu>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -169,6 +174,55 @@ private slots:
         counts->setCurrentIndex(1);
         for (const study::ConfusionView* matrix : view.matrices())
             QVERIFY(matrix->content().percent);
+    }
+
+    void matricesGrowWithThePage() {
+        ResultsView view;
+        study::ResultsScene scene;
+        scene.tasks = {results()};
+        view.setScene(scene);
+        view.resize(1000, 600);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const int low = view.matrices()[0]->height();
+        view.resize(1600, 1200);
+        QTRY_VERIFY(view.matrices()[0]->height() > 5 * low / 4);
+        view.resize(1000, 600);
+        QTRY_COMPARE(view.matrices()[0]->height(), low);
+    }
+
+    void titlesAndNotesOfANarrowChartAreWhole() {
+        const QFont font = QApplication::font();
+        const int em = static_cast<int>(QFontMetricsF(font).height());
+        study::IntervalChartContent content;
+        content.title = QStringLiteral("Right answers, mean of participants, 95 % t interval");
+        content.axis = QStringLiteral("right, %");
+        content.highest = 100.0;
+        content.categories = {QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")};
+        for (int i = 0; i < 3; ++i)
+            content.notes << QStringLiteral("p = 0.045; Holm 0.134");
+        content.series = {{QStringLiteral("test"), {{50.0, {}, {}}, {60.0, {}, {}}, {70.0, {}, {}}}}};
+        QImage image(18 * em, 17 * em, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.setFont(font);
+        study::paintIntervalChart(painter, image.rect(), content, base::designedPalette(false));
+        painter.end();
+        const auto isBlank = [&](const QRect& strip) {
+            for (int y = strip.top(); y <= strip.bottom(); ++y)
+                for (int x = strip.left(); x <= strip.right(); ++x)
+                    if (image.pixel(x, y) != qRgb(255, 255, 255))
+                        return false;
+            return true;
+        };
+        // The title ends before both edges, the notes before the next one and the lower edge.
+        QVERIFY(isBlank({0, 0, 1, 2 * em}));
+        QVERIFY(isBlank({image.width() - 1, 0, 1, 2 * em}));
+        QVERIFY(isBlank({0, image.height() - 1, image.width(), 1}));
+        const double category = (image.width() - 4.8 * em) / 3.0;
+        for (int edge = 1; edge < 3; ++edge)
+            QVERIFY(
+                isBlank({qRound(4.0 * em + edge * category), image.height() - 3 * em / 2, 1, 3 * em / 2}));
     }
 
     // Rows of data set A: s01 has 27 (static) and 26 (dynamic) right of 30, s02 14 and 18, s03 16 and 18, s04

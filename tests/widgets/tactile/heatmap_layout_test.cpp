@@ -67,6 +67,28 @@ private slots:
         }
     }
 
+    void aNarrowArrayInALowViewHasItsLegendAndLabelsBesideIt() {
+        const QRectF bounds(0, 0, 390, 210);
+        const HeatmapLayout layout(bounds, QFontMetricsF(QApplication::font()), ArrayLayout{64, 27, 0.01},
+                                   {1.0, {13.5, 32.0}}, 1.0);
+        QVERIFY(layout.isLegendBeside());
+        QVERIFY(layout.legend().left() > layout.colourBar().right());
+        QVERIFY(layout.readout().left() > layout.colourBar().right());
+        QVERIFY(layout.labels().left() >= layout.visible().right());
+        const std::vector<QRectF> parts{layout.header(),    layout.visible(), layout.labels(),
+                                        layout.colourBar(), layout.legend(),  layout.readout()};
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            QVERIFY2(bounds.contains(parts[i]), qPrintable(QString::number(i)));
+            for (std::size_t j = i + 1; j < parts.size(); ++j)
+                QVERIFY2(!parts[i].intersects(parts[j]),
+                         qPrintable(QStringLiteral("%1 and %2").arg(i).arg(j)));
+        }
+        // A wide one keeps them below it.
+        const HeatmapLayout wide(bounds, QFontMetricsF(QApplication::font()), kArray, {1.0, {7.0, 3.0}}, 1.0);
+        QVERIFY(!wide.isLegendBeside());
+        QVERIFY(wide.labels().isEmpty());
+    }
+
     void aZoomedPictureStaysOnTheArray() {
         const HeatmapLayout layout = layoutOf({4.0, {-100.0, 100.0}});
         QVERIFY(std::abs(layout.sensor().left() - layout.visible().left()) < 1.0); // whole device pixels

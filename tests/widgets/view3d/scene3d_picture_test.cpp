@@ -350,6 +350,43 @@ private slots:
         QVERIFY2(coveredAround(false) > 100, "one above it does");
     }
 
+    void cardsAtTheEdgeLieOnNothingThatTheyOrOthersName() {
+        QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        view3d::OverlayContent content;
+        content.font = QApplication::font();
+        content.colours = view3d::SceneColours(base::designedPalette(true));
+        const std::array feet{QPointF(0.12, 0.5), QPointF(0.13, 0.54), QPointF(0.8, 0.5)};
+        content.labels.push_back({feet[0], QStringLiteral("1: 5.00 N"), Qt::red, true, true});
+        content.labels.push_back({feet[1], QStringLiteral("Moment: 2.03 mNm"), Qt::red, true, true});
+        content.labels.push_back({feet[2], QStringLiteral("sponge"), Qt::red});
+        content.labels.push_back(
+            {feet[2] - QPointF(0.1, 0.0), QStringLiteral("point (100 %)"), Qt::red, true, true});
+        QPainter painter(&image);
+        view3d::paintOverlay(painter, image.size(), content);
+        painter.end();
+        // But for the lines that tie them to their points.
+        const int near_px = QFontMetrics(content.font).height() / 4;
+        for (const QPointF& foot : {feet[0], feet[1]}) {
+            const QPoint at(qRound(foot.x() * 400), qRound(foot.y() * 300));
+            int covered = 0;
+            for (int y = -near_px; y <= near_px; ++y)
+                for (int x = -near_px; x <= near_px; ++x)
+                    covered += image.pixelColor(at + QPoint(x, y)).alpha() > 0 ? 1 : 0;
+            const int all = (2 * near_px + 1) * (2 * near_px + 1);
+            QVERIFY2(covered < all / 2, qPrintable(QStringLiteral("%1 of %2").arg(covered).arg(all)));
+        }
+        // The name of the object is as without the card.
+        const QRect name(QPoint(320 - 20, 150 - 6), QSize(40, 12));
+        const QImage with = image.copy(name);
+        content.labels.pop_back();
+        image.fill(Qt::transparent);
+        painter.begin(&image);
+        view3d::paintOverlay(painter, image.size(), content);
+        painter.end();
+        QCOMPARE(with, image.copy(name));
+    }
+
     /// The measure sees what it is for.
     void aPartThatIsMissingIsSeen() {
         const QImage arm = drawn(kExamples[3], true);

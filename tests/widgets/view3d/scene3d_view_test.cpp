@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/view3d/scene3d_stage.h"
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/theme.h"
@@ -27,100 +28,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_set>
 
 using namespace teleta;
+using namespace teleta::test;
 using view3d::CameraPreset;
 using view3d::Scene3dView;
 using view3d::Surface;
-
-namespace {
-
-constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
-
-view3d::VtkWidget& vtkOf(const Scene3dView& view) {
-    return *view.findChild<view3d::VtkWidget*>();
-}
-
-void check(const Scene3dView& view, const char* action, bool checked) {
-    view.findChild<QAction*>(QLatin1String(action))->setChecked(checked);
-}
-
-vtkRenderer* rendererOf(const Scene3dView& view) {
-    return vtkOf(view).renderWindow()->GetRenderers()->GetFirstRenderer();
-}
-
-/// The picture of the 3-D part as shown, without the tool bar.
-QImage shown(const Scene3dView& view) {
-    return vtkOf(view).grab().toImage().convertToFormat(QImage::Format_RGB32);
-}
-
-/// Where VTK itself says that a point of the world is, in pixels of shown().
-QPoint pixelOf(const Scene3dView& view, const Eigen::Vector3d& p_World) {
-    vtkRenderer* renderer = rendererOf(view);
-    renderer->SetWorldPoint(p_World.x(), p_World.y(), p_World.z(), 1.0);
-    renderer->WorldToDisplay();
-    const double* display = renderer->GetDisplayPoint();
-    const int height = vtkOf(view).renderWindow()->GetSize()[1];
-    return {static_cast<int>(std::floor(display[0])), height - 1 - static_cast<int>(std::floor(display[1]))};
-}
-
-/// Whether a pixel has the hue of a colour, whatever the light.
-bool hasHueOf(QRgb pixel, const QColor& colour) {
-    const int largest = std::max({qRed(pixel), qGreen(pixel), qBlue(pixel)});
-    const int smallest = std::min({qRed(pixel), qGreen(pixel), qBlue(pixel)});
-    if (largest - smallest <= 0.35 * largest) {
-        return false; // hardly any hue
-    }
-    const double apart =
-        std::abs(std::remainder(static_cast<double>(QColor(pixel).hsvHueF() - colour.hsvHueF()), 1.0));
-    return apart < 15.0 / 360.0;
-}
-
-template <typename Visit>
-void forEachPixel(const QImage& picture, Visit&& visit) {
-    for (int y = 0; y < picture.height(); ++y) {
-        const auto* line = reinterpret_cast<const QRgb*>(picture.constScanLine(y));
-        std::for_each(line, line + picture.width(), visit);
-    }
-}
-
-int countHue(const QImage& picture, const QColor& colour) {
-    int count = 0;
-    forEachPixel(picture, [&](QRgb pixel) { count += hasHueOf(pixel, colour) ? 1 : 0; });
-    return count;
-}
-
-std::size_t countColours(const QImage& picture) {
-    std::unordered_set<QRgb> colours;
-    forEachPixel(picture, [&](QRgb pixel) { colours.insert(pixel); });
-    return colours.size();
-}
-
-/// A view on the screen with only the data in it.
-struct Stage {
-    Scene3dView view;
-
-    explicit Stage(QSize size = {480, 360}) {
-        check(view, "axes", false);
-        check(view, "contactLabels", false);
-        view.resize(size);
-        view.show();
-    }
-    [[nodiscard]] bool ready() { return QTest::qWaitForWindowExposed(&view) && vtkOf(view).canRender(); }
-    void settle() { (void)shown(view); }
-};
-
-/// On the sphere of the only contact, by the numbers that the drawing is made of: range and heights.
-Eigen::Vector3d peakOf(double x_m, double y_m) {
-    // 5 thresholds of 0.05 N are less than the peak of 1 N, so the range is 1; rise 0.15 of the array's
-    // diagonal, tile 0.06 of the pitch.
-    const double diagonal_m = std::hypot(14 * 0.0034, 6 * 0.0034);
-    // Half a radius of the sphere above: its lower half is inside the taxel.
-    return {x_m, y_m, 0.06 * 0.0034 + 0.15 * diagonal_m + 0.5 * 0.4 * 0.0034};
-}
-
-} // namespace
 
 class Scene3dViewTest : public QObject {
     Q_OBJECT
@@ -364,6 +277,65 @@ private slots:
         QVERIFY(std::abs(orbit.elevation_rad - 60.0 * perPixel) < perPixel);
         const Eigen::Vector3d seen(rendererOf(stage.view)->GetActiveCamera()->GetDirectionOfProjection());
         QVERIFY((seen + orbit.direction()).norm() < 1e-9);
+    }
+
+    void aClickPicksTheObjectThatIsThereAndADragPicksNone() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.view.setSnapshot(test::pressed(kLayout, {}));
+        const Eigen::Vector3d first(-0.06, 0.04, 0.0);
+        const Eigen::Vector3d second(0.06, -0.04, 0.0);
+        const auto around = [](const Eigen::Vector3d& at) {
+            return std::vector<Eigen::Vector3d>{at, at + Eigen::Vector3d(0.03, 0.0, 0.0)};
+        };
+        std::vector<view3d::DrawnObject> objects(2);
+        objects[0].number = 7;
+        objects[0].points_m = objects[0].curve_m = around(first);
+        objects[1].number = 9;
+        objects[1].points_m = objects[1].curve_m = around(second);
+        objects[1].elsewhere = true; // its contour is drawn by something else
+        stage.view.setObjects(objects);
+        stage.view.look(CameraPreset::top);
+        stage.settle();
+        QWidget* canvas = vtkOf(stage.view).focusProxy();
+        const double scale = vtkOf(stage.view).devicePixelRatioF();
+        const auto pointOf = [&](const Eigen::Vector3d& p_World) {
+            return (QPointF(pixelOf(stage.view, p_World)) / scale).toPoint();
+        };
+        QSignalSpy picked(&stage.view, &Scene3dView::objectPicked);
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, pointOf(first));
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, pointOf(second + Eigen::Vector3d(0.015, 0.0, 0.0)));
+        QCOMPARE(picked.size(), 2);
+        QCOMPARE(picked[0][0].toULongLong(), 7ULL);
+        QCOMPARE(picked[1][0].toULongLong(), 9ULL);
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(3, 3));
+        const QPoint from = pointOf(first);
+        QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(canvas, from + QPoint(60, 0));
+        QTest::mouseMove(canvas, from);
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, from);
+        QCOMPARE(picked.size(), 2);
+    }
+
+    void aMarkedObjectIsDrawnLarger() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.view.setSnapshot(test::pressed(kLayout, {}));
+        std::vector<view3d::DrawnObject> objects(1);
+        objects[0].number = 2;
+        objects[0].points_m = objects[0].curve_m = {{-0.05, 0.05, 0.0}, {0.05, 0.05, 0.0}};
+        stage.view.setObjects(objects);
+        stage.view.look(CameraPreset::top);
+        const QColor colour = base::identityColour(2, false);
+        const int plain = countHue(shown(stage.view), colour);
+        QVERIFY(plain > 0);
+        objects[0].marked = true;
+        stage.view.setObjects(objects);
+        QVERIFY(countHue(shown(stage.view), colour) > 3 * plain / 2);
+        objects[0].marked = false;
+        objects[0].elsewhere = true;
+        stage.view.setObjects(objects);
+        QCOMPARE(countHue(shown(stage.view), colour), 0);
     }
 
     void panningMovesTheSceneWithTheMouse() {

@@ -15,6 +15,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -248,6 +249,45 @@ TEST(TouchScene, theArmStandsOnABaseWhereThereIsGroundBelowIt) {
     EXPECT_LE(low_m, 0.0);
     // The camera is fitted to what was measured, not to the base.
     EXPECT_NEAR(scene.armBox_m().min().z(), 0.5 - 1.25 * 0.03, 1e-12);
+}
+
+TEST(TouchScene, theShadowOnTheGroundFallsToNothingInSmallSteps) {
+    TouchScene scene = makeScene();
+    std::vector<view3d::ArmLink> links(1);
+    links[0].X_World_Link = Eigen::Translation3d(0.0, 0.0, 0.3);
+    links[0].length_m = 0.25;
+    links[0].radius_m = 0.02;
+    scene.setArmLinks(links);
+    scene.draw();
+    vtkPolyData* shadow = nullptr;
+    vtkActorCollection* actors = scene.renderer()->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor()) {
+        auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+        vtkDataArray* colours = mesh->GetPointData()->GetScalars();
+        if (mesh->GetNumberOfPolys() > 0 && colours != nullptr && colours->GetNumberOfComponents() == 4 &&
+            colours->GetRange(0)[1] == 0.0)
+            shadow = mesh; // black
+    }
+    ASSERT_NE(shadow, nullptr);
+    vtkDataArray* colours = shadow->GetPointData()->GetScalars();
+    const auto alpha = [&](vtkIdType point) { return colours->GetComponent(point, 3); };
+    double least = 255.0;
+    double most = 0.0;
+    double largestStep = 0.0;
+    for (vtkIdType cell = 0; cell < shadow->GetNumberOfCells(); ++cell) {
+        vtkIdType count = 0;
+        const vtkIdType* points = nullptr;
+        shadow->GetCellPoints(cell, count, points);
+        for (vtkIdType i = 0; i < count; ++i) {
+            least = std::min(least, alpha(points[i]));
+            most = std::max(most, alpha(points[i]));
+            largestStep = std::max(largestStep, std::abs(alpha(points[i]) - alpha(points[(i + 1) % count])));
+        }
+    }
+    EXPECT_EQ(least, 0.0);
+    EXPECT_GT(most, 40.0);
+    EXPECT_LT(largestStep, 0.2 * most) << "within one quad, over which it is blended";
 }
 
 TEST(GeometryExport, aStlFileHoldsTheTrianglesOfThePlateInMillimetres) {

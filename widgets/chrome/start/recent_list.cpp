@@ -7,7 +7,6 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -19,7 +18,7 @@ namespace teleta::chrome {
 
 namespace {
 
-constexpr double kListWidth_em = 10.0; ///< of a text, at most: four fit into a small window
+constexpr double kListWidth_em = 12.0; ///< of a text, at most: four fit into a small window
 constexpr QSizeF kRecentPicture_em(2.6, 1.7);
 
 } // namespace
@@ -82,30 +81,44 @@ void RecentList::setSession(const QString& names) {
     retranslate();
 }
 
-void RecentList::fill(QToolButton& button, const QString& text, const QString& about, const QIcon& icon) {
+void RecentList::setNames(const RecentNames& names) {
+    m_names = names;
+    retranslate();
+}
+
+void RecentList::fill(QToolButton& button, const RecentName& name, const QString& about, const QIcon& icon) {
     button.setAutoRaise(true);
     button.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button.setIcon(icon);
     button.setFocusPolicy(Qt::StrongFocus);
-    const QString shown = fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em));
-    button.setText(base::withoutMnemonic(shown));
-    button.setAccessibleName(text);
+    const auto shown = [this](const QString& text) {
+        return base::withoutMnemonic(
+            fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em)));
+    };
+    button.setText(name.about.isEmpty() ? shown(name.title)
+                                        : shown(name.title) + QLatin1Char('\n') + shown(name.about));
+    button.setAccessibleName(name.oneLine());
     button.setAccessibleDescription(about);
     button.setToolTip(about);
 }
 
 void RecentList::retranslate() {
     m_title->setText(tr("Recent:"));
-    fill(*m_reopen, tr("Reopen %1", "what was open").arg(m_session),
+    fill(*m_reopen, {tr("Reopen %1", "what was open").arg(m_session), {}, {}},
          tr("What was open when the console was closed"), base::themeIcon(base::Icon::operate));
     m_reopen->setVisible(!m_session.isEmpty());
-    for (const File& file : m_files) {
+    QStringList paths;
+    for (const File& file : m_files)
+        paths << file.path;
+    const QList<RecentName> names = recentNamesOf(paths, m_names);
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+        const File& file = m_files[i];
         const bool isScene = file.path.endsWith(QLatin1String(".toml"), Qt::CaseInsensitive);
         const bool hasPicture = !file.picture.isNull();
         if (hasPicture)
             file.button->setIconSize(
                 QSize(base::em(this, kRecentPicture_em.width()), base::em(this, kRecentPicture_em.height())));
-        fill(*file.button, QFileInfo(file.path).fileName(), file.path,
+        fill(*file.button, names[static_cast<qsizetype>(i)], file.path,
              hasPicture ? QIcon(QPixmap::fromImage(file.picture))
                         : base::themeIcon(isScene ? base::Icon::scene : base::Icon::recording));
     }

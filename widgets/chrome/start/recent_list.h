@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/chrome/recent_name.h"
+
 #include <QImage>
 #include <QString>
 #include <QStringList>
@@ -26,8 +28,10 @@ public:
 
     explicit RecentList(QWidget* parent = nullptr);
 
-    /// files: paths; a button shows the name, its tool tip the path.
+    /// files: paths; a button shows a name, its tool tip the path.
     void setFiles(const QStringList& files);
+    /// What the buttons call the files, in place of their own names: the title, and below it the rest.
+    void setNames(const RecentNames& names);
     /// A picture of a file, in place of its icon; unknown paths are ignored.
     void setPicture(const QString& path, const QImage& picture);
     /// names: what was open; empty: there is nothing to reopen.
@@ -39,12 +43,13 @@ signals:
 
 private:
     void retranslate();
-    void fill(QToolButton& button, const QString& text, const QString& about, const QIcon& icon);
+    void fill(QToolButton& button, const RecentName& name, const QString& about, const QIcon& icon);
 
     QHBoxLayout* m_row;
     QLabel* m_title;
     QToolButton* m_reopen;
     QString m_session;
+    RecentNames m_names;
     struct File {
         QString path;
         QToolButton* button;

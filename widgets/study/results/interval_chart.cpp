@@ -38,22 +38,35 @@ public:
         , m_palette(palette)
         , m_em(QFontMetricsF(painter.font()).height())
         , m_rect(rect)
-        , m_plot(rect.adjusted(4.0 * m_em, 3.6 * m_em, -0.8 * m_em,
-                               -(content.notes.isEmpty() ? 1.8 : 3.0) * m_em))
-        , m_small(base::sized(painter.font(), base::kSmallText)) {}
+        , m_plot(rect.adjusted(4.0 * m_em, 3.6 * m_em, -0.8 * m_em, -1.8 * m_em))
+        , m_small(base::sized(painter.font(), base::kSmallText)) {
+        // Notes have as many lines as the longest one needs in its room.
+        for (const QString& note : content.notes)
+            m_notes = std::max(m_notes, QFontMetricsF(m_small)
+                                            .boundingRect(QRectF(0.0, 0.0, categoryWidth(), m_rect.height()),
+                                                          kNoteFlags, note)
+                                            .height());
+        m_notes = std::min(m_notes, 0.3 * m_plot.height());
+        m_plot.setBottom(m_plot.bottom() - m_notes);
+    }
 
     void paint() {
         paintHead();
         paintAxis();
-        const double width =
-            m_plot.width() / static_cast<double>(std::max<qsizetype>(m_content.categories.size(), 1));
+        const double width = categoryWidth();
         for (qsizetype c = 0; c < m_content.categories.size(); ++c)
             paintCategory(c, QRectF(m_plot.left() + static_cast<double>(c) * width, m_plot.top(), width,
                                     m_plot.height()));
+        paintReference();
         paintWatermark(m_painter, m_rect, m_content.mode, m_palette);
     }
 
 private:
+    static constexpr int kNoteFlags = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+
+    [[nodiscard]] double categoryWidth() const {
+        return m_plot.width() / static_cast<double>(std::max<qsizetype>(m_content.categories.size(), 1));
+    }
     [[nodiscard]] double y(double value) const {
         return m_plot.bottom() - std::clamp(value / m_content.highest, 0.0, 1.0) * m_plot.height();
     }
@@ -62,10 +75,13 @@ private:
     }
 
     void paintHead() {
-        m_painter.setFont(base::bold(m_painter.font()));
+        // In two smaller lines where one is too wide.
+        const QFont whole = base::bold(m_painter.font());
+        const bool fits = QFontMetricsF(whole).horizontalAdvance(m_content.title) <= m_rect.width();
+        m_painter.setFont(fits ? whole : base::bold(m_small));
         m_painter.setPen(text());
-        m_painter.drawText(QRectF(m_rect.left(), m_rect.top() + 0.3 * m_em, m_rect.width(), 1.2 * m_em),
-                           Qt::AlignCenter, m_content.title);
+        m_painter.drawText(QRectF(m_rect.left(), m_rect.top() + 0.1 * m_em, m_rect.width(), 1.7 * m_em),
+                           Qt::AlignCenter | Qt::TextWordWrap, m_content.title);
         // Legend, in one line.
         m_painter.setFont(m_small);
         const QFontMetricsF metrics(m_small);
@@ -100,14 +116,22 @@ private:
         m_painter.drawText(QRectF(-0.5 * m_plot.height(), -0.6 * m_em, m_plot.height(), 1.2 * m_em),
                            Qt::AlignCenter, m_content.axis);
         m_painter.restore();
+    }
+
+    /// Over the bars, which it divides.
+    void paintReference() {
         if (!m_content.reference)
             return;
+        m_painter.setFont(m_small);
         const double at = y(*m_content.reference);
         m_painter.setPen(QPen(text(0.7), 1.2, Qt::DashLine));
         m_painter.drawLine(QPointF(m_plot.left(), at), QPointF(m_plot.right(), at));
+        const QSizeF name(QFontMetricsF(m_small).horizontalAdvance(m_content.referenceName) + 0.4 * m_em,
+                          1.1 * m_em);
+        const QRectF place(QPointF(m_plot.right() - name.width(), at - name.height()), name);
+        m_painter.fillRect(place, base::translucent(m_palette.color(QPalette::Base), 0.8F));
         m_painter.setPen(text(0.75));
-        m_painter.drawText(QRectF(m_plot.left(), at - 1.2 * m_em, m_plot.width() - 0.2 * m_em, 1.2 * m_em),
-                           Qt::AlignRight | Qt::AlignVCenter, m_content.referenceName);
+        m_painter.drawText(place, Qt::AlignCenter, m_content.referenceName);
     }
 
     void paintCategory(qsizetype category, const QRectF& room) {
@@ -116,8 +140,8 @@ private:
         m_painter.drawText(QRectF(room.left(), m_plot.bottom() + 0.3 * m_em, room.width(), 1.2 * m_em),
                            Qt::AlignCenter, m_content.categories[category]);
         m_painter.setPen(text(0.75));
-        m_painter.drawText(QRectF(room.left(), m_plot.bottom() + 1.5 * m_em, room.width(), 1.2 * m_em),
-                           Qt::AlignCenter, m_content.notes.value(category));
+        m_painter.drawText(QRectF(room.left(), m_plot.bottom() + 1.5 * m_em, room.width(), m_notes),
+                           kNoteFlags, m_content.notes.value(category));
         const std::size_t count = std::max<std::size_t>(m_content.series.size(), 1);
         const double width = std::min(0.8 * room.width() / static_cast<double>(count), 3.5 * m_em);
         double x = room.center().x() - 0.5 * width * static_cast<double>(count);
@@ -165,6 +189,7 @@ private:
     QRectF m_rect;
     QRectF m_plot;
     QFont m_small;
+    double m_notes = 0.0; ///< their height
 };
 
 } // namespace

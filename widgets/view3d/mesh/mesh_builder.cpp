@@ -178,11 +178,14 @@ void MeshBuilder::octahedron(const Eigen::Vector3d& centre, double radius, QRgb 
 
 void MeshBuilder::quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                        const Eigen::Vector3d& d, QRgb colour) {
-    const Eigen::Vector3d normal = (c - a).cross(d - b).normalized();
-    const vtkIdType first = point(a, normal, colour);
-    point(b, normal, colour);
-    point(c, normal, colour);
-    point(d, normal, colour);
+    quad({a, b, c, d}, {colour, colour, colour, colour});
+}
+
+void MeshBuilder::quad(const std::array<Eigen::Vector3d, 4>& corners, const std::array<QRgb, 4>& colours) {
+    const Eigen::Vector3d normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
+    const vtkIdType first = m_points->GetNumberOfPoints();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        point(corners[i], normal, colours[i]);
     m_polys->InsertNextCell({first, first + 1, first + 2, first + 3});
 }
 

@@ -11,6 +11,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -45,6 +46,8 @@ public:
     /// Four corners in order, with one normal.
     void quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
               const Eigen::Vector3d& d, QRgb colour);
+    /// The same with a colour of each corner, blended between them.
+    void quad(const std::array<Eigen::Vector3d, 4>& corners, const std::array<QRgb, 4>& colours);
     /// Points with their normals and colours, and the indices of three points a triangle. otherwise: instead
     /// of a colour with alpha 0.
     void triangles(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3f> normals,

@@ -17,13 +17,13 @@ constexpr double kCollar = 0.35;
 constexpr double kBevel = 0.18;
 constexpr double kLeastShell = 1.0;
 
-constexpr int kShadowLayers = 12;
-constexpr int kShadowSides = 12; ///< of each half circle
-constexpr double kLayerOpacity = 0.022;
-constexpr double kFirstLayer = 0.7; ///< radius of the darkest part, in radii of the link
-constexpr double kLayerStep = 0.1;
-constexpr double kBlurPerHeight = 0.022; ///< how much wider a layer is for each metre above the ground, m
-constexpr double kBelowGrid_m = 5e-4;    ///< the lines of the ground stay visible
+constexpr int kShadowBands = 12;        ///< from the middle to the rim
+constexpr int kShadowSides = 12;        ///< of each half circle
+constexpr double kDarkest = 0.235;      ///< opacity in the middle
+constexpr double kShadowReach = 1.8;    ///< of the rim beyond the link's axis, in its radii
+constexpr double kBlurPerHeight = 0.24; ///< how much farther for each metre above the ground, m
+constexpr double kShadowMiddle = 0.25;  ///< of the reach: as dark as can be
+constexpr double kBelowGrid_m = 5e-4;   ///< the lines of the ground stay visible
 
 bool isDrawableLink(const ArmLink& link) {
     return link.X_World_Link.matrix().allFinite() && std::isfinite(link.length_m) &&
@@ -31,10 +31,6 @@ bool isDrawableLink(const ArmLink& link) {
 }
 
 } // namespace
-
-ArmPart::ArmPart() {
-    m_shadow.actor->GetProperty()->SetOpacity(kLayerOpacity);
-}
 
 void ArmPart::addTo(vtkRenderer* renderer) {
     renderer->AddActor(m_solids.actor);
@@ -121,11 +117,11 @@ void ArmPart::drawBase(const Eigen::Vector3d& shoulder, double radius_m) {
     m_solids.cone(above(foot_m), above(height_m), 0.95 * radius_m, 0.7 * radius_m, colour);
 }
 
-/// Nested shapes around the link's projection; each adds its part to the darkness, so that the rim is soft.
+/// Bands around the link's projection, from dark to clear: the darkness falls without a kink at either end.
 void ArmPart::drawShadow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m) {
-    constexpr QRgb kBlack = qRgb(0, 0, 0);
     const double z_m = m_ground_m - kBelowGrid_m;
     const double height_m = std::max(0.0, 0.5 * (from.z() + to.z()) - m_ground_m);
+    const double reach_m = kShadowReach * radius_m + kBlurPerHeight * height_m;
     const Eigen::Vector2d way = (to - from).head<2>();
     const double heading_rad = way.norm() > 0.0 ? std::atan2(way.y(), way.x()) : 0.0;
     const auto rim = [&](int side, double wide_m) {
@@ -137,14 +133,21 @@ void ArmPart::drawShadow(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
         return Eigen::Vector3d(centre.x() + wide_m * std::cos(heading_rad + turn),
                                centre.y() + wide_m * std::sin(heading_rad + turn), z_m);
     };
+    const auto black = [](double share) {
+        const double fallen = std::clamp((share - kShadowMiddle) / (1.0 - kShadowMiddle), 0.0, 1.0);
+        const double dark = 1.0 - fallen * fallen * (3.0 - 2.0 * fallen);
+        return qRgba(0, 0, 0, static_cast<int>(std::lround(255.0 * kDarkest * dark)));
+    };
     constexpr int kCorners = 2 * (kShadowSides + 1);
-    const Eigen::Vector3d middle(0.5 * (from.x() + to.x()), 0.5 * (from.y() + to.y()), z_m);
-    for (int layer = 0; layer < kShadowLayers; ++layer) {
-        const double wide_m =
-            kFirstLayer * radius_m + layer * (kLayerStep * radius_m + kBlurPerHeight * height_m);
-        for (int side = 0; side < kCorners; side += 2)
-            m_shadow.quad(middle, rim(side, wide_m), rim(side + 1, wide_m),
-                          rim((side + 2) % kCorners, wide_m), kBlack);
+    for (int band = 0; band < kShadowBands; ++band) {
+        const double inner = static_cast<double>(band) / kShadowBands;
+        const double outer = static_cast<double>(band + 1) / kShadowBands;
+        for (int side = 0; side < kCorners; ++side) {
+            const int next = (side + 1) % kCorners;
+            m_shadow.quad({rim(side, inner * reach_m), rim(side, outer * reach_m), rim(next, outer * reach_m),
+                           rim(next, inner * reach_m)},
+                          {black(inner), black(outer), black(outer), black(inner)});
+        }
     }
 }
 

@@ -19,7 +19,6 @@ namespace teleta::view3d {
 /// radius are left out. Thread: one.
 class ArmPart {
 public:
-    ArmPart();
     void addTo(vtkRenderer* renderer);
     void applyColours(const SceneColours& colours);
 
@@ -44,7 +43,7 @@ private:
     Eigen::AlignedBox3d m_box_m;
     SceneColours m_colours;
     Mesh m_solids{Mesh::Shading::smooth};
-    Mesh m_shadow{Mesh::Shading::none};
+    Mesh m_shadow{Mesh::Shading::none, Mesh::Alpha::used};
 };
 
 } // namespace teleta::view3d

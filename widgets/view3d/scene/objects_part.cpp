@@ -10,6 +10,7 @@ namespace teleta::view3d {
 namespace {
 
 constexpr double kPoint_m = 0.004;
+constexpr double kMarkedPoint_m = 0.007;
 
 void dropWhatIsNotFinite(std::vector<Eigen::Vector3d>& points_m) {
     std::erase_if(points_m, [](const Eigen::Vector3d& p) { return !p.allFinite(); });
@@ -20,6 +21,7 @@ void dropWhatIsNotFinite(std::vector<Eigen::Vector3d>& points_m) {
 void ObjectsPart::addTo(vtkRenderer* renderer) {
     renderer->AddActor(m_points.actor);
     renderer->AddActor(m_curves.actor);
+    renderer->AddActor(m_marked.actor);
 }
 
 void ObjectsPart::applyColours(const SceneColours& colours) {
@@ -48,19 +50,24 @@ QColor ObjectsPart::colourOf(const DrawnObject& object) const {
 void ObjectsPart::rebuild() {
     m_points.clear();
     m_curves.clear();
+    m_marked.clear();
     for (const DrawnObject& object : m_objects) {
+        if (object.elsewhere && !object.marked)
+            continue;
         const QRgb colour = colourOf(object).rgb();
         for (const Eigen::Vector3d& p : object.points_m)
-            m_points.sphere(p, kPoint_m, colour);
-        m_curves.polyline(object.curve_m, colour);
+            m_points.sphere(p, object.marked ? kMarkedPoint_m : kPoint_m, colour);
+        (object.marked ? m_marked : m_curves).polyline(object.curve_m, colour);
     }
     m_points.finish();
     m_curves.finish();
+    m_marked.finish();
 }
 
 void ObjectsPart::appendMeshes(std::vector<vtkPolyData*>& meshes) const {
     meshes.push_back(m_points.data());
     meshes.push_back(m_curves.data());
+    meshes.push_back(m_marked.data());
 }
 
 } // namespace teleta::view3d

@@ -13,13 +13,16 @@
 
 namespace teleta::view3d {
 
-/// The objects that were found before: the outline of each in a colour of its own, with its contact points.
-/// In the world frame. Points that are not finite are left out. Thread: one.
+/// The objects that were found before: the outline of each in a colour of its own, with its contact points,
+/// larger where it is marked. In the world frame. Points that are not finite are left out. Thread: one.
 class ObjectsPart {
 public:
     void addTo(vtkRenderer* renderer);
     void applyColours(const SceneColours& colours);
-    void applyPixelScale(double scale) { m_curves.setLineWidth(2.0, scale); }
+    void applyPixelScale(double scale) {
+        m_curves.setLineWidth(2.0, scale);
+        m_marked.setLineWidth(5.0, scale);
+    }
 
     void set(std::span<const DrawnObject> objects);
     /// Those that have a finite point.
@@ -36,6 +39,7 @@ private:
     SceneColours m_colours;
     Mesh m_points{Mesh::Shading::smooth};
     Mesh m_curves{Mesh::Shading::none};
+    Mesh m_marked{Mesh::Shading::none};
 };
 
 } // namespace teleta::view3d

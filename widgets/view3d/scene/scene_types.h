@@ -16,6 +16,8 @@ struct DrawnObject {
     QString label;            ///< empty: none is written
     std::vector<Eigen::Vector3d> points_m;
     std::vector<Eigen::Vector3d> curve_m; ///< through the points; fewer than two: not drawn
+    bool marked = false;                  ///< drawn larger, as what is selected
+    bool elsewhere = false;               ///< something else draws it unless it is marked
 };
 
 /// Something upright in a simulated world: its outline in a plane z = z_m of the world.

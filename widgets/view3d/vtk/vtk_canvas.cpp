@@ -249,6 +249,8 @@ void VtkCanvas::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::RightButton) {
         m_rightPress = event->position();
         m_rightDragged = false;
+    } else if (event->button() == Qt::LeftButton) {
+        m_leftPress = event->position();
     }
     passOn(event);
 }
@@ -257,6 +259,9 @@ void VtkCanvas::mouseReleaseEvent(QMouseEvent* event) {
     passOn(event);
     if (event->button() == Qt::RightButton && !m_rightDragged)
         emit menuRequested(event->globalPosition().toPoint());
+    if (event->button() == Qt::LeftButton && m_leftPress)
+        emit clicked(event->position().toPoint());
+    m_leftPress.reset();
 }
 
 void VtkCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -267,6 +272,9 @@ void VtkCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons().testFlag(Qt::RightButton) &&
         (event->position() - m_rightPress).manhattanLength() >= QApplication::startDragDistance())
         m_rightDragged = true;
+    if (m_leftPress &&
+        (event->position() - *m_leftPress).manhattanLength() >= QApplication::startDragDistance())
+        m_leftPress.reset();
     passOn(event);
 }
 

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 class QSinglePointEvent;
 
@@ -46,6 +47,8 @@ signals:
     void contextRefused(GlProblem problem);
     void pixelScaleChanged(double devicePerLogical);
     void menuRequested(const QPoint& globalPosition);
+    /// Left click without a drag.
+    void clicked(const QPoint& position);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -79,7 +82,8 @@ private:
     QOpenGLContext m_context;
     bool m_refused = false;
     QImage m_frame;
-    int m_wheelRest = 0; ///< eighths of a degree left over from the last step
+    int m_wheelRest = 0;                ///< eighths of a degree left over from the last step
+    std::optional<QPointF> m_leftPress; ///< empty: none, or it was dragged
     QPointF m_rightPress;
     bool m_rightDragged = false;
     bool m_stale = true;    ///< the scene has changed since the last frame was started

@@ -80,6 +80,7 @@ VtkWidget::VtkWidget(QWidget* parent)
     setFocusProxy(canvas);
     connect(canvas, &VtkCanvas::pixelScaleChanged, this, &VtkWidget::pixelScaleChanged);
     connect(canvas, &VtkCanvas::menuRequested, this, &VtkWidget::menuRequested);
+    connect(canvas, &VtkCanvas::clicked, this, &VtkWidget::clicked);
     // Queued: the canvas is in the middle of its first repaint when it says so.
     connect(canvas, &VtkCanvas::contextRefused, this, &VtkWidget::showFallback, Qt::QueuedConnection);
 }

@@ -54,6 +54,8 @@ signals:
     void pixelScaleChanged(double devicePerLogical);
     /// Right click without a drag, or the menu key.
     void menuRequested(const QPoint& globalPosition);
+    /// Left click without a drag.
+    void clicked(const QPoint& position);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -29,6 +29,8 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFile>
+#include <QItemSelectionModel>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -292,6 +294,18 @@ private slots:
         station.choose(BraceletChoice::simulated);
         station.tick();
         QTRY_VERIFY((station.tick(), station.isReady()));
+    }
+
+    void anObjectPickedInTheReconstructionIsSelectedOnTheRunSheet() {
+        openArm();
+        auto* sheet = child<touch::RunSheet>();
+        QTRY_COMPARE_WITH_TIMEOUT(sheet->model().rowCount(), 1, 30'000);
+        auto* scene = child<view3d::Scene3dView>();
+        const auto* selection = sheet->view()->selectionModel();
+        emit scene->objectPicked(sheet->model().object(0).number + 1); // gone meanwhile
+        QVERIFY(!selection->hasSelection());
+        emit scene->objectPicked(sheet->model().object(0).number);
+        QVERIFY(selection->isRowSelected(0));
     }
 
     void whatWasTypedOnTheRunSheetIsThereAgainAfterALookAtAnotherSource() {

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -45,6 +46,28 @@ private slots:
         for (int i = 0; i < 10'000; ++i)
             tap->append(1 + i * 1'000'000LL, 0.001 * i, std::span<const float>(values));
         QVERIFY((*recorder)->stop());
+    }
+
+    void theQuestionsSayThatSomethingIsExported() {
+        RecordingExport exporter(&m_window);
+        m_window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_window));
+        exporter.ask(recording());
+        auto* files = m_window.findChild<QFileDialog*>();
+        QVERIFY(files != nullptr);
+        QCOMPARE(files->labelText(QFileDialog::Accept), QStringLiteral("Export\u2026"));
+        QTRY_VERIFY(files->isVisible());
+        QTest::keyClick(files, Qt::Key_Escape);
+        QTRY_VERIFY(m_window.findChild<QFileDialog*>() == nullptr);
+        exporter.askMcap(recording());
+        files = m_window.findChild<QFileDialog*>();
+        QVERIFY(files != nullptr);
+        QCOMPARE(files->labelText(QFileDialog::Accept), QStringLiteral("Export\u2026"));
+        QTRY_VERIFY(files->isVisible());
+        QTest::keyClick(files, Qt::Key_Escape);
+        QTRY_VERIFY(m_window.findChild<QFileDialog*>() == nullptr);
+        m_window.hide();
+        QVERIFY(!exporter.isBusy());
     }
 
     void anExportThatIsCancelledLeavesNoFiles() {

@@ -275,6 +275,22 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(runner().hold(), Hold::none, kPatience_ms);
     }
 
+    void aRehearsalWithoutABraceletLeavesItToOthers() {
+        openPage();
+        controller().setSpeed(10.0);
+        controller().create(studyFolder().toStdString(), head(study::Mode::simulated, 0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value() && nextButton()->isEnabled(),
+                                 kPatience_ms);
+        QTest::mouseClick(nextButton(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().isActive(), kPatience_ms);
+        QVERIFY2(!m_station->isReserved(), "its motors can be calibrated");
+        auto* pause = m_page->findChild<QPushButton*>("pause");
+        QVERIFY(pause != nullptr);
+        QTest::mouseClick(pause, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(runner().hold() != Hold::none, kPatience_ms);
+        QVERIFY(!m_station->isReserved());
+    }
+
     void anAbortIsAskedForAndTheSessionGoesOnAfterTheProgramWasStartedAgain() {
         openStudy();
         beginSession();

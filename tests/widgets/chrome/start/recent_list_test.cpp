@@ -60,6 +60,43 @@ private slots:
         QTRY_VERIFY(one->x() < files()[2]->x());
     }
 
+    void aRecordingIsCalledByWhatIsInItAndTheTipKeepsThePath() {
+        m_list->setNames(
+            {{QStringLiteral("/a/one.mcap"), {QStringLiteral("mat & ball"), QStringLiteral("8 s"), {}}}});
+        QCOMPARE(files()[0]->text(), QStringLiteral("mat && ball\n8 s"));
+        QCOMPARE(files()[0]->accessibleName(), QStringLiteral("mat & ball, 8 s"));
+        QCOMPARE(files()[0]->toolTip(), QStringLiteral("/a/one.mcap"));
+        QCOMPARE(files()[1]->text(), QStringLiteral("two.toml"));
+        // Both lines are seen.
+        QTRY_VERIFY(files()[0]->height() >= 2 * files()[0]->fontMetrics().height());
+        const QSignalSpy asked(m_list.get(), &RecentList::fileRequested);
+        QTest::mouseClick(files()[0], Qt::LeftButton);
+        QCOMPARE(asked.size(), 1);
+        QCOMPARE(asked[0][0].toString(), QStringLiteral("/a/one.mcap"));
+    }
+
+    void filesOfTheSameNameAreToldApart() {
+        const chrome::RecentName same{QStringLiteral("touches"), QStringLiteral("2026-11-29 10:22, 8 s"),
+                                      QStringLiteral("2026-11-29 10:22:31, 8 s")};
+        const QStringList paths{QStringLiteral("/a/x.teleta"), QStringLiteral("/a/y.teleta"),
+                                QStringLiteral("/b/y.teleta"), QStringLiteral("/c/b/y.teleta"),
+                                QStringLiteral("/a/z.teleta"), QStringLiteral("/a/v.teleta")};
+        chrome::RecentNames known;
+        for (const QString& path : paths.mid(0, 4))
+            known.insert(path, same);
+        known.insert(paths[4], {same.title, QStringLiteral("2026-11-29 10:22, 9 s"), {}});
+        known.insert(paths[5], {same.title, same.about, QStringLiteral("2026-11-29 10:22:50, 8 s")});
+        const QList<chrome::RecentName> names = chrome::recentNamesOf(paths, known);
+        QCOMPARE(names[0].title, QStringLiteral("x.teleta"));
+        QCOMPARE(names[1].title, QStringLiteral("y.teleta (a)"));
+        QCOMPARE(names[2].title, QStringLiteral("/b/y.teleta"));
+        QCOMPARE(names[3].title, QStringLiteral("/c/b/y.teleta"));
+        QCOMPARE(names[4].title, same.title);
+        QCOMPARE(names[4].about, QStringLiteral("2026-11-29 10:22, 9 s"));
+        QCOMPARE(names[5].title, same.title);
+        QCOMPARE(names[5].about, QStringLiteral("2026-11-29 10:22:50, 8 s"));
+    }
+
     void withNothingToOpenItIsHidden() {
         m_list->setFiles({});
         QVERIFY(m_list->isHidden());

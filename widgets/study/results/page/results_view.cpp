@@ -26,6 +26,11 @@ namespace teleta::study {
 
 namespace {
 
+/// Height of a matrix: a part of the page's, within limits.
+constexpr double kMatrices = 0.42;
+constexpr double kMatrixLow_em = 19.0;
+constexpr double kMatrixHigh_em = 34.0;
+
 void fill(ResultTable* table, const TableContent& content) {
     table->setRows(content.header, content.tips, content.rows);
 }
@@ -266,9 +271,21 @@ void ResultsView::showMatrices(const TaskResults& results) {
             tr("%1, %2", "condition, participant").arg(names.value(id, id), ResultsContent::nameOf(group));
         content.mode = m_scene.mode;
         m_matrices[i]->setContent(std::move(content));
-        m_matrices[i]->setMinimumHeight(base::em(this, 19));
         m_matrixGrid->addWidget(m_matrices[i], static_cast<int>(i / columns), static_cast<int>(i % columns));
     }
+    giveMatricesRoom();
+}
+
+void ResultsView::giveMatricesRoom() {
+    const int room = static_cast<int>(kMatrices * height());
+    for (ConfusionView* view : m_matrices)
+        view->setMinimumHeight(
+            std::clamp(room, base::em(this, kMatrixLow_em), base::em(this, kMatrixHigh_em)));
+}
+
+void ResultsView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    giveMatricesRoom();
 }
 
 void ResultsView::showCharts(const TaskResults& results) {

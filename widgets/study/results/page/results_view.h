@@ -69,12 +69,16 @@ signals:
     /// See BraceletView.
     void useRequested(const teleta::pattern::MotorProfiles& balanced, const QString& from);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void retranslate();
     void showMark();
     void fillChoices();
     void refresh();
     void showMatrices(const TaskResults& task);
+    void giveMatricesRoom();
     void showCharts(const TaskResults& task);
     void showTables(const TaskResults& task);
     void showLevels();
