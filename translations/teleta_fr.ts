@@ -8463,6 +8463,10 @@ Run %2 --help for more.
         <source>its links have another number of joints</source>
         <translation>ses segments ont un autre nombre d’articulations</translation>
     </message>
+    <message>
+        <source>it has a pad and no links</source>
+        <translation>il a une matrice tactile mais pas de segments</translation>
+    </message>
 </context>
 <context>
     <name>RecordedStreams</name>
@@ -9643,6 +9647,10 @@ Run %2 --help for more.
             <numerusform>le bras ne peut pas être bougé&#xa0;:&#xa0;%n problèmes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>on %1, pressed by %2</source>
+        <translation>sur %1, appuyée par %2</translation>
+    </message>
 </context>
 <context>
     <name>RosArmFault</name>
@@ -9716,6 +9724,22 @@ Run %2 --help for more.
     <message>
         <source>with this adapter nothing stops the robot when this program ends or the network fails</source>
         <translation>avec cet adaptateur, rien n’arrête le robot quand ce programme s’arrête ou que le réseau est en panne</translation>
+    </message>
+    <message>
+        <source>the window is empty or reversed</source>
+        <translation>la fenêtre est vide ou inversée</translation>
+    </message>
+    <message>
+        <source>[lowest, highest]</source>
+        <translation>[le plus bas, le plus haut]</translation>
+    </message>
+    <message>
+        <source>the pad is not named</source>
+        <translation>la matrice tactile n’est pas nommée</translation>
+    </message>
+    <message>
+        <source>array = &quot;the file of the pad&quot;</source>
+        <translation>array = &quot;le fichier de la matrice&quot;</translation>
     </message>
 </context>
 <context>
@@ -9971,6 +9995,26 @@ Run %2 --help for more.
     <message>
         <source>ids of the site&apos;s devices</source>
         <translation>des id d’appareils du site</translation>
+    </message>
+    <message>
+        <source>the frame of %1: %2</source>
+        <translation>le repère de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>a link of one arm of the site</source>
+        <translation>un segment d’un seul bras du site</translation>
+    </message>
+    <message>
+        <source>several arms have the link %1</source>
+        <translation>plusieurs bras ont le segment %1</translation>
+    </message>
+    <message>
+        <source>no arm has the link %1</source>
+        <translation>aucun bras n’a le segment %1</translation>
+    </message>
+    <message>
+        <source>the arm wears another array already</source>
+        <translation>le bras porte déjà une autre matrice</translation>
     </message>
 </context>
 <context>
@@ -10718,6 +10762,14 @@ Run %2 --help for more.
         <source>file, wts, taxels, scene or scene_camera</source>
         <translation>file, wts, taxels, scene ou scene_camera</translation>
     </message>
+    <message>
+        <source>a pose needs a frame</source>
+        <translation>une pose exige un repère</translation>
+    </message>
+    <message>
+        <source>frame = &quot;the link of the arm&quot;</source>
+        <translation>frame = &quot;le segment du bras&quot;</translation>
+    </message>
 </context>
 <context>
     <name>SiteKeys</name>
@@ -10959,6 +11011,49 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>SkinKinematics</name>
+    <message>
+        <source>the joint %1 slides, and stiffness is evaluated from an angle</source>
+        <translation>l’articulation %1 coulisse, alors que la raideur est évaluée à partir d’un angle</translation>
+    </message>
+    <message>
+        <source>a joint that turns</source>
+        <translation>une articulation qui tourne</translation>
+    </message>
+    <message>
+        <source>no joint presses the pad on %1: all of them move its centre along it</source>
+        <translation>aucune articulation n’appuie la matrice sur %1&#xa0;: toutes déplacent son centre le long d’elle-même</translation>
+    </message>
+    <message>
+        <source>a joint with a lever of 2 cm or more</source>
+        <translation>une articulation avec un bras de levier d’au moins 2 cm</translation>
+    </message>
+    <message>
+        <source>no joint %1 moves the pad on %2</source>
+        <translation>aucune articulation %1 ne déplace la matrice sur %2</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>l’une de %1</translation>
+    </message>
+    <message>
+        <source>the link %1 is moved by %2, which is no joint of the arm</source>
+        <translation>le segment %1 est déplacé par %2, qui n’est pas une articulation du bras</translation>
+    </message>
+    <message>
+        <source>a link between %1 and %2</source>
+        <translation>un segment entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 joint stiffnesses are given</source>
+        <translation>%1 raideurs d’articulation sont données</translation>
+    </message>
+    <message>
+        <source>%1, one for each joint</source>
+        <translation>%1, une par articulation</translation>
+    </message>
+</context>
+<context>
     <name>Slurm</name>
     <message>
         <source>the program %1 of Slurm is not there</source>
@@ -11195,6 +11290,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a key &quot;source&quot;</source>
         <translation>une clé «&#xa0;source&#xa0;»</translation>
+    </message>
+    <message>
+        <source>it is not the file of one pad</source>
+        <translation>ce n’est pas le fichier d’une seule matrice tactile</translation>
+    </message>
+    <message>
+        <source>an array, or a list with one: taxels or wts</source>
+        <translation>une matrice, ou une liste qui en contient une&#xa0;: taxels ou wts</translation>
     </message>
 </context>
 <context>
@@ -15576,14 +15679,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>%1 … %2</translation>
     </message>
     <message>
-        <source>The elbow feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
-        <translation>Le coude ne sent rien d’un toucher sur son axe ou le long de celui-ci, ou la raideur du segment n’est pas réglée. Touchez d’un autre côté.</translation>
-    </message>
-    <message>
-        <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
-        <translation>Le coude a senti trop peu&#xa0;: son couple n’a pas atteint la fenêtre de couple. Appuyez plus fort, ou d’un autre côté.</translation>
-    </message>
-    <message>
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
         <translation>Le toucher était trop rapide&#xa0;: l’inertie propre du bras a été sentie avec l’objet. Appuyez plus lentement.</translation>
     </message>
@@ -15636,6 +15731,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The torque jumps, or the joint has play.</source>
         <translation>Le couple saute, ou l’articulation a du jeu.</translation>
+    </message>
+    <message>
+        <source>The joint that presses feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
+        <translation>L’articulation qui appuie ne sent rien d’un contact sur son axe ou le long de celui-ci, ou la raideur du segment n’est pas réglée. Touchez d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>The joint that presses felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
+        <translation>L’articulation qui appuie a trop peu senti&#xa0;: son couple n’a pas atteint la fenêtre de couple. Appuyez plus fort, ou d’un autre côté.</translation>
     </message>
 </context>
 <context>
@@ -25688,20 +25791,12 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Premier couple au-dessus du bruit à %1 s, estimé %2 ms plus tard&#xa0;; évalué&#xa0;: %3</translation>
     </message>
     <message>
-        <source>x, y, z in the frame of the arm&apos;s base; the distance is along the forearm, from the elbow</source>
-        <translation>x, y, z dans le repère de la base du bras&#xa0;; la distance est le long de l’avant-bras, depuis le coude</translation>
-    </message>
-    <message>
         <source>The skin did not feel this contact.</source>
         <translation>La peau n’a pas senti ce contact.</translation>
     </message>
     <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
         <translation>Conditionnement de la force&#xa0;: plus long bras de levier sur le plus court&#xa0;; grand est mauvais</translation>
-    </message>
-    <message>
-        <source>Distance of the contact from the elbow, along the forearm</source>
-        <translation>Distance du contact au coude, le long de l’avant-bras</translation>
     </message>
     <message>
         <source>No.</source>
@@ -25746,6 +25841,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Force at the contact; a dash marks what the arm cannot observe in this pose</source>
         <translation>Force au contact&#xa0;; un tiret marque ce que le bras ne peut pas observer dans sa configuration</translation>
+    </message>
+    <message>
+        <source>x, y, z in the frame of the arm&apos;s base; the distance is from the joint that presses: along the forearm from the elbow</source>
+        <translation>x, y, z dans le repère de la base du bras&#xa0;; la distance est comptée depuis l’articulation qui appuie&#xa0;: le long de l’avant-bras depuis le coude</translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the joint that presses: along the forearm from the elbow</source>
+        <translation>Distance du contact à l’articulation qui appuie&#xa0;: le long de l’avant-bras depuis le coude</translation>
     </message>
 </context>
 <context>

@@ -8443,6 +8443,10 @@ Run %2 --help for more.
         <source>its links have another number of joints</source>
         <translation>リンクの関節数が異なります</translation>
     </message>
+    <message>
+        <source>it has a pad and no links</source>
+        <translation>触覚アレイはありますがリンクがありません</translation>
+    </message>
 </context>
 <context>
     <name>RecordedStreams</name>
@@ -9617,6 +9621,10 @@ Run %2 --help for more.
             <numerusform>アームを動かせません: 問題%n件</numerusform>
         </translation>
     </message>
+    <message>
+        <source>on %1, pressed by %2</source>
+        <translation>%1上、%2が押します</translation>
+    </message>
 </context>
 <context>
     <name>RosArmFault</name>
@@ -9690,6 +9698,22 @@ Run %2 --help for more.
     <message>
         <source>with this adapter nothing stops the robot when this program ends or the network fails</source>
         <translation>このアダプターでは、このプログラムが終了するかネットワークが故障したとき、ロボットを止めるものがありません</translation>
+    </message>
+    <message>
+        <source>the window is empty or reversed</source>
+        <translation>範囲が空か、逆になっています</translation>
+    </message>
+    <message>
+        <source>[lowest, highest]</source>
+        <translation>[下限, 上限]</translation>
+    </message>
+    <message>
+        <source>the pad is not named</source>
+        <translation>触覚アレイが指定されていません</translation>
+    </message>
+    <message>
+        <source>array = &quot;the file of the pad&quot;</source>
+        <translation>array = &quot;アレイのファイル&quot;</translation>
     </message>
 </context>
 <context>
@@ -9945,6 +9969,26 @@ Run %2 --help for more.
     <message>
         <source>ids of the site&apos;s devices</source>
         <translation>サイトのデバイスのid</translation>
+    </message>
+    <message>
+        <source>the frame of %1: %2</source>
+        <translation>%1の座標系: %2</translation>
+    </message>
+    <message>
+        <source>a link of one arm of the site</source>
+        <translation>サイトのアーム一つのリンク</translation>
+    </message>
+    <message>
+        <source>several arms have the link %1</source>
+        <translation>複数のアームにリンク%1があります</translation>
+    </message>
+    <message>
+        <source>no arm has the link %1</source>
+        <translation>リンク%1を持つアームがありません</translation>
+    </message>
+    <message>
+        <source>the arm wears another array already</source>
+        <translation>アームにはすでに別のアレイがあります</translation>
     </message>
 </context>
 <context>
@@ -10692,6 +10736,14 @@ Run %2 --help for more.
         <source>file, wts, taxels, scene or scene_camera</source>
         <translation>file、wts、taxels、scene、scene_cameraのいずれか</translation>
     </message>
+    <message>
+        <source>a pose needs a frame</source>
+        <translation>姿勢には座標系が必要です</translation>
+    </message>
+    <message>
+        <source>frame = &quot;the link of the arm&quot;</source>
+        <translation>frame = &quot;アームのリンク&quot;</translation>
+    </message>
 </context>
 <context>
     <name>SiteKeys</name>
@@ -10932,6 +10984,49 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>SkinKinematics</name>
+    <message>
+        <source>the joint %1 slides, and stiffness is evaluated from an angle</source>
+        <translation>関節%1は直動ですが、剛性は角度から求められます</translation>
+    </message>
+    <message>
+        <source>a joint that turns</source>
+        <translation>回転する関節</translation>
+    </message>
+    <message>
+        <source>no joint presses the pad on %1: all of them move its centre along it</source>
+        <translation>%1上のアレイを押す関節がありません: どの関節も中心をアレイに沿って動かします</translation>
+    </message>
+    <message>
+        <source>a joint with a lever of 2 cm or more</source>
+        <translation>てこが2 cm以上の関節</translation>
+    </message>
+    <message>
+        <source>no joint %1 moves the pad on %2</source>
+        <translation>%2上のアレイを動かす関節%1はありません</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1のいずれか</translation>
+    </message>
+    <message>
+        <source>the link %1 is moved by %2, which is no joint of the arm</source>
+        <translation>リンク%1は、アームの関節ではない%2によって動きます</translation>
+    </message>
+    <message>
+        <source>a link between %1 and %2</source>
+        <translation>%1と%2の間のリンク</translation>
+    </message>
+    <message>
+        <source>%1 joint stiffnesses are given</source>
+        <translation>関節剛性が%1個あります</translation>
+    </message>
+    <message>
+        <source>%1, one for each joint</source>
+        <translation>%1個、関節ごとに一つ</translation>
+    </message>
+</context>
+<context>
     <name>Slurm</name>
     <message>
         <source>the program %1 of Slurm is not there</source>
@@ -11168,6 +11263,14 @@ Run teleta-site --help for more.
     <message>
         <source>a key &quot;source&quot;</source>
         <translation>キー「source」</translation>
+    </message>
+    <message>
+        <source>it is not the file of one pad</source>
+        <translation>触覚アレイ一つのファイルではありません</translation>
+    </message>
+    <message>
+        <source>an array, or a list with one: taxels or wts</source>
+        <translation>アレイ、またはアレイ一つのリスト: taxelsかwts</translation>
     </message>
 </context>
 <context>
@@ -15538,14 +15641,6 @@ Run teleta-site --help for more.
         <translation>%1 … %2</translation>
     </message>
     <message>
-        <source>The elbow feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
-        <translation>肘は、その軸上または軸に沿ったタッチを感じません。あるいは、リンクの剛性が設定されていません。別の側から触れてください。</translation>
-    </message>
-    <message>
-        <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
-        <translation>肘で感じた力が小さすぎます: トルクがトルク窓に達しませんでした。もっと強く、または別の側から押してください。</translation>
-    </message>
-    <message>
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
         <translation>タッチが速すぎます: アーム自体の慣性が物体とともに感知されました。もっとゆっくり押してください。</translation>
     </message>
@@ -15598,6 +15693,14 @@ Run teleta-site --help for more.
     <message>
         <source>The torque jumps, or the joint has play.</source>
         <translation>トルクが飛んでいるか、関節に遊びがあります。</translation>
+    </message>
+    <message>
+        <source>The joint that presses feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
+        <translation>押す関節は、その軸上または軸方向の接触を感じません。または、リンクの剛性が設定されていません。別の側から触れてください。</translation>
+    </message>
+    <message>
+        <source>The joint that presses felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
+        <translation>押す関節が感じたトルクが小さすぎ、トルクの範囲に達しませんでした。もっと強く、または別の側から押してください。</translation>
     </message>
 </context>
 <context>
@@ -25614,20 +25717,12 @@ Double-click to type the upper end.</source>
         <translation>ノイズを超えた最初のトルク: %1 s、推定はその%2 ms後。評価範囲: %3</translation>
     </message>
     <message>
-        <source>x, y, z in the frame of the arm&apos;s base; the distance is along the forearm, from the elbow</source>
-        <translation>アームのベース座標系でのx、y、z。距離は肘から前腕に沿った値</translation>
-    </message>
-    <message>
         <source>The skin did not feel this contact.</source>
         <translation>皮膚がこの接触を感知しませんでした。</translation>
     </message>
     <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
         <translation>力の条件数: 最長と最短のてこの比。大きいほど悪い</translation>
-    </message>
-    <message>
-        <source>Distance of the contact from the elbow, along the forearm</source>
-        <translation>肘から前腕に沿った接触点までの距離</translation>
     </message>
     <message>
         <source>No.</source>
@@ -25672,6 +25767,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Force at the contact; a dash marks what the arm cannot observe in this pose</source>
         <translation>接触点の力。ダッシュは、その姿勢でアームが観測できないものを示します</translation>
+    </message>
+    <message>
+        <source>x, y, z in the frame of the arm&apos;s base; the distance is from the joint that presses: along the forearm from the elbow</source>
+        <translation>アームの基部の座標系でのx、y、z。距離は押す関節からのもの: 前腕に沿った肘からの距離</translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the joint that presses: along the forearm from the elbow</source>
+        <translation>押す関節から接触点までの距離: 前腕に沿った肘からの距離</translation>
     </message>
 </context>
 <context>

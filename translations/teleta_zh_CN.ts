@@ -8443,6 +8443,10 @@ Run %2 --help for more.
         <source>its links have another number of joints</source>
         <translation>其连杆的关节数不同</translation>
     </message>
+    <message>
+        <source>it has a pad and no links</source>
+        <translation>它有触觉阵列但没有连杆</translation>
+    </message>
 </context>
 <context>
     <name>RecordedStreams</name>
@@ -9617,6 +9621,10 @@ Run %2 --help for more.
             <numerusform>无法移动机械臂：%n 个问题</numerusform>
         </translation>
     </message>
+    <message>
+        <source>on %1, pressed by %2</source>
+        <translation>位于 %1，由 %2 按压</translation>
+    </message>
 </context>
 <context>
     <name>RosArmFault</name>
@@ -9690,6 +9698,22 @@ Run %2 --help for more.
     <message>
         <source>with this adapter nothing stops the robot when this program ends or the network fails</source>
         <translation>使用此适配器时，若本程序结束或网络出故障，没有任何机制使机器人停止</translation>
+    </message>
+    <message>
+        <source>the window is empty or reversed</source>
+        <translation>范围为空或颠倒</translation>
+    </message>
+    <message>
+        <source>[lowest, highest]</source>
+        <translation>[下限, 上限]</translation>
+    </message>
+    <message>
+        <source>the pad is not named</source>
+        <translation>未指定触觉阵列</translation>
+    </message>
+    <message>
+        <source>array = &quot;the file of the pad&quot;</source>
+        <translation>array = &quot;阵列的文件&quot;</translation>
     </message>
 </context>
 <context>
@@ -9945,6 +9969,26 @@ Run %2 --help for more.
     <message>
         <source>ids of the site&apos;s devices</source>
         <translation>站点设备的 id</translation>
+    </message>
+    <message>
+        <source>the frame of %1: %2</source>
+        <translation>%1 的坐标系：%2</translation>
+    </message>
+    <message>
+        <source>a link of one arm of the site</source>
+        <translation>站点中某一机械臂的连杆</translation>
+    </message>
+    <message>
+        <source>several arms have the link %1</source>
+        <translation>多个机械臂都有连杆 %1</translation>
+    </message>
+    <message>
+        <source>no arm has the link %1</source>
+        <translation>没有机械臂具有连杆 %1</translation>
+    </message>
+    <message>
+        <source>the arm wears another array already</source>
+        <translation>该机械臂已装有另一个阵列</translation>
     </message>
 </context>
 <context>
@@ -10692,6 +10736,14 @@ Run %2 --help for more.
         <source>file, wts, taxels, scene or scene_camera</source>
         <translation>file、wts、taxels、scene 或 scene_camera</translation>
     </message>
+    <message>
+        <source>a pose needs a frame</source>
+        <translation>位姿需要坐标系</translation>
+    </message>
+    <message>
+        <source>frame = &quot;the link of the arm&quot;</source>
+        <translation>frame = &quot;机械臂的连杆&quot;</translation>
+    </message>
 </context>
 <context>
     <name>SiteKeys</name>
@@ -10932,6 +10984,49 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>SkinKinematics</name>
+    <message>
+        <source>the joint %1 slides, and stiffness is evaluated from an angle</source>
+        <translation>关节 %1 是移动关节，而刚度由角度求得</translation>
+    </message>
+    <message>
+        <source>a joint that turns</source>
+        <translation>转动关节</translation>
+    </message>
+    <message>
+        <source>no joint presses the pad on %1: all of them move its centre along it</source>
+        <translation>没有关节按压 %1 上的阵列：所有关节都使其中心沿阵列移动</translation>
+    </message>
+    <message>
+        <source>a joint with a lever of 2 cm or more</source>
+        <translation>力臂至少 2 cm 的关节</translation>
+    </message>
+    <message>
+        <source>no joint %1 moves the pad on %2</source>
+        <translation>没有名为 %1 的关节移动 %2 上的阵列</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>the link %1 is moved by %2, which is no joint of the arm</source>
+        <translation>连杆 %1 由 %2 移动，而它不是机械臂的关节</translation>
+    </message>
+    <message>
+        <source>a link between %1 and %2</source>
+        <translation>%1 与 %2 之间的连杆</translation>
+    </message>
+    <message>
+        <source>%1 joint stiffnesses are given</source>
+        <translation>给出了 %1 个关节刚度</translation>
+    </message>
+    <message>
+        <source>%1, one for each joint</source>
+        <translation>%1 个，每个关节一个</translation>
+    </message>
+</context>
+<context>
     <name>Slurm</name>
     <message>
         <source>the program %1 of Slurm is not there</source>
@@ -11168,6 +11263,14 @@ Run teleta-site --help for more.
     <message>
         <source>a key &quot;source&quot;</source>
         <translation>键“source”</translation>
+    </message>
+    <message>
+        <source>it is not the file of one pad</source>
+        <translation>它不是单个触觉阵列的文件</translation>
+    </message>
+    <message>
+        <source>an array, or a list with one: taxels or wts</source>
+        <translation>一个阵列，或只含一个阵列的列表：taxels 或 wts</translation>
     </message>
 </context>
 <context>
@@ -15538,14 +15641,6 @@ Run teleta-site --help for more.
         <translation>%1 … %2</translation>
     </message>
     <message>
-        <source>The elbow feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
-        <translation>肘部感觉不到位于其轴上或沿其轴的触碰，或者未设置连杆的刚度。请从另一侧触碰。</translation>
-    </message>
-    <message>
-        <source>The elbow felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
-        <translation>肘部感觉到的太少：其力矩未达到力矩窗口。请更用力按压，或从另一侧按压。</translation>
-    </message>
-    <message>
         <source>The touch was too quick: the arm&apos;s own inertia was felt with the object. Press slower.</source>
         <translation>触碰过快：机械臂自身的惯性与物体一起被感觉到。请放慢按压。</translation>
     </message>
@@ -15598,6 +15693,14 @@ Run teleta-site --help for more.
     <message>
         <source>The torque jumps, or the joint has play.</source>
         <translation>力矩跳变，或关节有间隙。</translation>
+    </message>
+    <message>
+        <source>The joint that presses feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
+        <translation>按压的关节感觉不到位于其轴上或沿其轴的接触，或者未设置连杆刚度。请从另一侧触碰。</translation>
+    </message>
+    <message>
+        <source>The joint that presses felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
+        <translation>按压的关节感觉到的太少：其力矩未达到力矩窗口。请用力按压，或从另一侧按压。</translation>
     </message>
 </context>
 <context>
@@ -25614,20 +25717,12 @@ Double-click to type the upper end.</source>
         <translation>力矩于 %1 s 首次高于噪声，%2 ms 后得出估计；评估：%3</translation>
     </message>
     <message>
-        <source>x, y, z in the frame of the arm&apos;s base; the distance is along the forearm, from the elbow</source>
-        <translation>机械臂基座坐标系中的 x、y、z；距离自肘部起沿前臂计</translation>
-    </message>
-    <message>
         <source>The skin did not feel this contact.</source>
         <translation>皮肤未感觉到此接触。</translation>
     </message>
     <message>
         <source>Condition number of the force: longest over shortest lever; large is bad</source>
         <translation>力的条件数：最长力臂与最短力臂之比；越大越差</translation>
-    </message>
-    <message>
-        <source>Distance of the contact from the elbow, along the forearm</source>
-        <translation>接触点自肘部起沿前臂的距离</translation>
     </message>
     <message>
         <source>No.</source>
@@ -25672,6 +25767,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Force at the contact; a dash marks what the arm cannot observe in this pose</source>
         <translation>接触处的力；短横线表示机械臂在当前构型下无法观测的量</translation>
+    </message>
+    <message>
+        <source>x, y, z in the frame of the arm&apos;s base; the distance is from the joint that presses: along the forearm from the elbow</source>
+        <translation>机械臂基座坐标系中的 x、y、z；距离从按压的关节算起：沿前臂从肘部起</translation>
+    </message>
+    <message>
+        <source>Distance of the contact from the joint that presses: along the forearm from the elbow</source>
+        <translation>接触点到按压关节的距离：沿前臂从肘部起</translation>
     </message>
 </context>
 <context>
