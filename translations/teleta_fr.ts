@@ -266,6 +266,26 @@
         <source>Loop start, loop end, no loop, in the timeline</source>
         <translation>Début de la boucle, sa fin, pas de boucle, dans la chronologie</translation>
     </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>On the page Operate</source>
+        <translation>Sur la page Conduite</translation>
+    </message>
+    <message>
+        <source>In the playback bar and the charts</source>
+        <translation>Dans la barre de lecture et les courbes</translation>
+    </message>
+    <message>
+        <source>On the page Patterns</source>
+        <translation>Sur la page Motifs</translation>
+    </message>
+    <message>
+        <source>In the timeline of a pattern</source>
+        <translation>Dans la chronologie d’un motif</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -19590,6 +19610,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Page of the handbook</source>
         <translation>Page du manuel</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Référence</translation>
     </message>
 </context>
 <context>

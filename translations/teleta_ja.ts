@@ -266,6 +266,26 @@
         <source>Loop start, loop end, no loop, in the timeline</source>
         <translation>ループの先頭、末尾、ループなし (タイムライン)</translation>
     </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>どこでも</translation>
+    </message>
+    <message>
+        <source>On the page Operate</source>
+        <translation>操作ページ</translation>
+    </message>
+    <message>
+        <source>In the playback bar and the charts</source>
+        <translation>再生バーとグラフ</translation>
+    </message>
+    <message>
+        <source>On the page Patterns</source>
+        <translation>パターンページ</translation>
+    </message>
+    <message>
+        <source>In the timeline of a pattern</source>
+        <translation>パターンのタイムライン</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -19532,6 +19552,14 @@ Run teleta-site --help for more.
     <message>
         <source>Page of the handbook</source>
         <translation>ハンドブックのページ</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>リファレンス</translation>
     </message>
 </context>
 <context>

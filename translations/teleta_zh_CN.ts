@@ -266,6 +266,26 @@
         <source>Loop start, loop end, no loop, in the timeline</source>
         <translation>在时间轴中：循环起点、循环终点、取消循环</translation>
     </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>任何位置</translation>
+    </message>
+    <message>
+        <source>On the page Operate</source>
+        <translation>“操作”页</translation>
+    </message>
+    <message>
+        <source>In the playback bar and the charts</source>
+        <translation>播放栏和图表</translation>
+    </message>
+    <message>
+        <source>On the page Patterns</source>
+        <translation>“图案”页</translation>
+    </message>
+    <message>
+        <source>In the timeline of a pattern</source>
+        <translation>图案的时间轴</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -19532,6 +19552,14 @@ Run teleta-site --help for more.
     <message>
         <source>Page of the handbook</source>
         <translation>手册页面</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>指南</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFont>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScreen>
@@ -87,26 +88,42 @@ void openAbout(QWidget* parent) {
 }
 
 void openShortcuts(QWidget* parent) {
+    // A row without an effect is the heading of those after it.
     const std::vector<std::pair<QString, QString>> shortcuts{
+        {AboutText::tr("Everywhere"), QString()},
         {AboutText::tr("Esc Esc, Ctrl+."), AboutText::tr("STOP: everything that moves stops at once")},
         {AboutText::tr("Ctrl+1 to 5"), AboutText::tr("Page Operate, Patterns, Study, Calibrate, Cost")},
+        {AboutText::tr("F11"), AboutText::tr("Full screen")},
+        {AboutText::tr("F1"), AboutText::tr("Handbook: the page on what is shown")},
+        {AboutText::tr("Shift+F1"), AboutText::tr("What's This")},
+        {AboutText::tr("On the page Operate"), QString()},
         {AboutText::tr("Ctrl+R, M"), AboutText::tr("Record, mark this moment in the recording")},
         {AboutText::tr("F5, Shift+F5, Ctrl+F5"),
          AboutText::tr("Run the program of the arm, hold it, restart it, on the page Operate")},
         {AboutText::tr("Ctrl+Shift+N"), AboutText::tr("Forget the explored contour, on the page Operate")},
+        {AboutText::tr("Arrow keys"), AboutText::tr("Move the read-out from taxel to taxel, in the heatmap")},
+        {AboutText::tr("1, 2, 3, 4"),
+         AboutText::tr("Front, top, side, isometric view, in the reconstruction")},
+        {AboutText::tr("In the playback bar and the charts"), QString()},
         {AboutText::tr("Space"), AboutText::tr("Play or pause, in the playback bar")},
         {AboutText::tr("Left, Right"), AboutText::tr("One frame back or forward, in the playback bar")},
         {AboutText::tr("Home, End"), AboutText::tr("Start or end of the recording, in the playback bar")},
-        {AboutText::tr("Arrow keys"), AboutText::tr("Move the read-out from taxel to taxel, in the heatmap")},
         {AboutText::tr("Ctrl+wheel"), AboutText::tr("Zoom the picture or the time under the mouse")},
         {AboutText::tr("Shift+wheel"), AboutText::tr("Scroll through time, in the charts")},
-        {AboutText::tr("1, 2, 3, 4"),
-         AboutText::tr("Front, top, side, isometric view, in the reconstruction")},
-        {AboutText::tr("Space, P"), AboutText::tr("Play or pause; pen; in the timeline of a pattern")},
+        {AboutText::tr("On the page Patterns"), QString()},
         {AboutText::tr("Ctrl+N, O, S, Shift+S, E"),
          AboutText::tr("New, open, save, save as, export, on the page Patterns")},
         {AboutText::tr("Ctrl+Z, Ctrl+Y"),
          AboutText::tr("Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate")},
+        {AboutText::tr("Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L"),
+         AboutText::tr("Rotate around the ring, mirror, other arm, on the page Patterns")},
+        {AboutText::tr("Ctrl+Alt+1 to 5"),
+         AboutText::tr(
+             "Add a sweep, ring, phantom, ramp, pulse train at the playhead, on the page Patterns")},
+        {AboutText::tr("F2, Ctrl+D, Delete, Ctrl+Z"),
+         AboutText::tr("Rename, duplicate, delete, undo, in the library of patterns")},
+        {AboutText::tr("In the timeline of a pattern"), QString()},
+        {AboutText::tr("Space, P"), AboutText::tr("Play or pause; pen; in the timeline of a pattern")},
         {AboutText::tr("Ctrl+X, C, V, Shift+V, D"),
          AboutText::tr("Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline")},
         {AboutText::tr(",  .  with Shift"),
@@ -117,17 +134,7 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Arrow keys, with Shift"),
          AboutText::tr("Move the selection; without one, the playhead and the lane, in the timeline")},
         {AboutText::tr("[  ]  \\"), AboutText::tr("Loop start, loop end, no loop, in the timeline")},
-        {AboutText::tr("Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L"),
-         AboutText::tr("Rotate around the ring, mirror, other arm, on the page Patterns")},
-        {AboutText::tr("Ctrl+Alt+1 to 5"),
-         AboutText::tr(
-             "Add a sweep, ring, phantom, ramp, pulse train at the playhead, on the page Patterns")},
         {AboutText::tr("Ctrl++, Ctrl+-, Ctrl+0"), AboutText::tr("Zoom in, out, to fit, in the timeline")},
-        {AboutText::tr("F2, Ctrl+D, Delete, Ctrl+Z"),
-         AboutText::tr("Rename, duplicate, delete, undo, in the library of patterns")},
-        {AboutText::tr("F11"), AboutText::tr("Full screen")},
-        {AboutText::tr("F1"), AboutText::tr("Handbook: the page on what is shown")},
-        {AboutText::tr("Shift+F1"), AboutText::tr("What's This")},
     };
     auto* table = new QTableWidget(static_cast<int>(shortcuts.size()), 2);
     table->setHorizontalHeaderLabels({AboutText::tr("Keys"), AboutText::tr("Effect")});
@@ -136,8 +143,17 @@ void openShortcuts(QWidget* parent) {
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     for (int row = 0; row < table->rowCount(); ++row) {
         const auto& [keys, effect] = shortcuts[static_cast<std::size_t>(row)];
-        table->setItem(row, 0, new QTableWidgetItem(keys));
-        table->setItem(row, 1, new QTableWidgetItem(effect));
+        auto* first = new QTableWidgetItem(keys);
+        table->setItem(row, 0, first);
+        if (effect.isEmpty()) {
+            QFont bold = table->font();
+            bold.setBold(true);
+            first->setFont(bold);
+            first->setFlags(Qt::ItemIsEnabled);
+            table->setSpan(row, 0, 1, 2);
+        } else {
+            table->setItem(row, 1, new QTableWidgetItem(effect));
+        }
     }
     table->resizeColumnsToContents();
     const int columns = table->horizontalHeader()->length();

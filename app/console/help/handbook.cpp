@@ -14,13 +14,24 @@ QString firstHeading(const QString& text) {
 
 } // namespace
 
+const QStringList& handbookGuide() {
+    static const QStringList pages{
+        QStringLiteral("first-steps"), QStringLiteral("operate"),  QStringLiteral("teleoperation"),
+        QStringLiteral("two-sites"),   QStringLiteral("devices"),  QStringLiteral("recordings"),
+        QStringLiteral("plot"),        QStringLiteral("patterns"), QStringLiteral("study"),
+        QStringLiteral("calibrate"),   QStringLiteral("cost"),     QStringLiteral("sweeps")};
+    return pages;
+}
+
+const QStringList& handbookReference() {
+    static const QStringList pages{QStringLiteral("files"),        QStringLiteral("codebook"),
+                                   QStringLiteral("intervals"),    QStringLiteral("thresholds"),
+                                   QStringLiteral("command-line"), QStringLiteral("python")};
+    return pages;
+}
+
 QStringList handbookPages() {
-    return {QStringLiteral("first-steps"), QStringLiteral("operate"),      QStringLiteral("teleoperation"),
-            QStringLiteral("two-sites"),   QStringLiteral("recordings"),   QStringLiteral("patterns"),
-            QStringLiteral("study"),       QStringLiteral("thresholds"),   QStringLiteral("calibrate"),
-            QStringLiteral("intervals"),   QStringLiteral("cost"),         QStringLiteral("sweeps"),
-            QStringLiteral("plot"),        QStringLiteral("devices"),      QStringLiteral("files"),
-            QStringLiteral("codebook"),    QStringLiteral("command-line"), QStringLiteral("python")};
+    return handbookGuide() + handbookReference();
 }
 
 std::optional<HandbookPage> handbookPage(const QString& name, const QString& language) {

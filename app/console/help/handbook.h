@@ -16,7 +16,11 @@ struct HandbookPage {
     QString text;
 };
 
-/// Names of the pages, in reading order.
+/// Names of the pages that say how to use the program, in reading order.
+[[nodiscard]] const QStringList& handbookGuide();
+/// Names of the pages in which things are looked up.
+[[nodiscard]] const QStringList& handbookReference();
+/// Both, in this order.
 [[nodiscard]] QStringList handbookPages();
 
 /// The page in that language ("fr", "zh_CN", "ja_JP"; otherwise English). Empty if there is none of that

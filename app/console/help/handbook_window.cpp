@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QDesktopServices>
 #include <QFileInfo>
+#include <QFont>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLineEdit>
@@ -21,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::console {
 
@@ -28,6 +30,7 @@ namespace {
 
 constexpr int kLineHeight_percent = 125;
 constexpr double kFirstColumn_percent = 24.0;
+constexpr int kPage = Qt::UserRole;  ///< name of an item's page; a heading has none
 constexpr double kPicture_em = 48.0; ///< widest picture
 
 /// Shows pages of the handbook by name; QTextBrowser keeps the history.
@@ -155,15 +158,14 @@ HandbookWindow::HandbookWindow(QWidget* parent)
         m_search->selectAll();
     });
     connect(m_search, &QLineEdit::returnPressed, this, &HandbookWindow::search);
-    connect(m_list, &QListWidget::currentRowChanged, this, [this](int index) {
-        if (index >= 0 && index < handbookPages().size())
-            showPage(handbookPages().at(index));
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item != nullptr && item->data(kPage).isValid())
+            showPage(item->data(kPage).toString());
     });
     // Links, back and forward change the page too.
     connect(m_text, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
         m_page = QFileInfo(url.path()).completeBaseName();
-        const QSignalBlocker quiet(m_list);
-        m_list->setCurrentRow(static_cast<int>(handbookPages().indexOf(m_page)));
+        markPage();
     });
     load();
     retranslate();
@@ -185,12 +187,29 @@ void HandbookWindow::load() {
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     const QString language = app::installedLocale(*QCoreApplication::instance()).name();
-    for (const QString& name : handbookPages())
-        if (const auto page = handbookPage(name, language))
-            m_list->addItem(page->title);
-    m_list->setCurrentRow(static_cast<int>(handbookPages().indexOf(m_page)));
+    for (const auto& [heading, pages] :
+         {std::pair{tr("Guide"), handbookGuide()}, std::pair{tr("Reference"), handbookReference()}}) {
+        auto* item = new QListWidgetItem(heading, m_list);
+        item->setFlags(Qt::NoItemFlags);
+        QFont bold = m_list->font();
+        bold.setBold(true);
+        item->setFont(bold);
+        for (const QString& name : pages) {
+            if (const auto page = handbookPage(name, language))
+                (new QListWidgetItem(page->title, m_list))->setData(kPage, name);
+        }
+    }
+    markPage();
     if (!m_page.isEmpty())
         m_text->reload();
+}
+
+void HandbookWindow::markPage() {
+    const QSignalBlocker quiet(m_list);
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (m_list->item(row)->data(kPage).toString() == m_page)
+            m_list->setCurrentRow(m_page.isEmpty() ? -1 : row);
+    }
 }
 
 void HandbookWindow::search() {

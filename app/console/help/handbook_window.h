@@ -24,6 +24,8 @@ public:
 
 private:
     void load();
+    /// Marks the page that is shown in the list.
+    void markPage();
     void search();
     void retranslate();
 

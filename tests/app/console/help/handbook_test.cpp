@@ -133,7 +133,9 @@ private slots:
         QCOMPARE(window.page(), "patterns");
         auto* list = window.findChild<QListWidget*>();
         auto* text = window.findChild<QTextBrowser*>();
-        QCOMPARE(list->count(), handbookPages().size());
+        QCOMPARE(list->count(), handbookPages().size() + 2);
+        QCOMPARE(list->item(0)->text(), "Guide");
+        QVERIFY(!(list->item(0)->flags() & Qt::ItemIsSelectable));
         QCOMPARE(list->currentItem()->text(), handbookPage("patterns", "en")->title);
         QVERIFY(text->toPlainText().startsWith(handbookPage("patterns", "en")->title));
         list->setFocus();
@@ -143,7 +145,12 @@ private slots:
         QCOMPARE(window.page(), "patterns");
         // Its link is followed.
         text->setSource(QUrl("calibrate.md"));
-        QCOMPARE(list->currentRow(), static_cast<int>(handbookPages().indexOf("calibrate")));
+        QCOMPARE(list->currentItem()->text(), handbookPage("calibrate", "en")->title);
+        // The heading of the reference is no page.
+        window.showPage(handbookGuide().back());
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Down);
+        QCOMPARE(window.page(), handbookReference().front());
         window.showPage("no such page");
         QCOMPARE(window.page(), handbookPages().front());
         QTest::keyClick(&window, Qt::Key_Escape);
