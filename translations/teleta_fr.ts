@@ -25761,8 +25761,8 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>&lt;p&gt;Raideur du dernier objet touché, sur une échelle logarithmique. Le point est l’estimation, le trait qui le traverse l’intervalle qui contient la raideur à 95&#xa0;%.&lt;/p&gt;&lt;p&gt;Un objet qui ne cède guère plus que le bras lui-même ne peut pas être distingué d’un objet rigide&#xa0;: une flèche ouverte montre alors que sa raideur est au moins aussi grande.&lt;/p&gt;&lt;p&gt;L’éponge et le caoutchouc mousse peuvent être touchés sans danger&#xa0;; le caoutchouc, le bois et le métal présentent un danger.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Touch an object with the forearm: its stiffness appears here.</source>
-        <translation>Touchez un objet avec l’avant-bras&#xa0;: sa raideur apparaît ici.</translation>
+        <source>Touch an object with the arm&apos;s skin: its stiffness appears here.</source>
+        <translation>Touchez un objet avec la peau du bras&#xa0;: sa raideur apparaît ici.</translation>
     </message>
     <message>
         <source>stiffness</source>
@@ -25890,8 +25890,8 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>&lt;p&gt;Chaque toucher du bras avec ce qui en a été déterminé. Un&#xa0;? dans la force marque une composante que le bras ne peut pas observer dans sa configuration.&lt;/p&gt;&lt;p&gt;Cliquez sur un titre pour trier. Ctrl+C copie les lignes sélectionnées.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>No touch yet. Touch an object with the forearm.</source>
-        <translation>Pas encore de toucher. Touchez un objet avec l’avant-bras.</translation>
+        <source>No touch yet. Touch an object with the arm&apos;s skin.</source>
+        <translation>Pas encore de toucher. Touchez un objet avec la peau du bras.</translation>
     </message>
     <message>
         <source>touches</source>

@@ -25688,8 +25688,8 @@ Double-click to type the upper end.</source>
         <translation>&lt;p&gt;最後に触れた物体の硬さを対数目盛で示します。点は推定値、点を通る線は剛性が95 %で含まれる区間です。&lt;/p&gt;&lt;p&gt;アーム自体とほとんど同程度にしかたわまない物体は、剛体と区別できません。その場合、剛性が少なくともその値以上であることを開いた矢印で示します。&lt;/p&gt;&lt;p&gt;スポンジとゴムスポンジは触れても安全です。ゴム、木、金属は危険です。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Touch an object with the forearm: its stiffness appears here.</source>
-        <translation>前腕で物体に触れると、ここに剛性が表示されます。</translation>
+        <source>Touch an object with the arm&apos;s skin: its stiffness appears here.</source>
+        <translation>アームのスキンで物体に触れると、ここに剛性が表示されます。</translation>
     </message>
     <message>
         <source>stiffness</source>
@@ -25816,8 +25816,8 @@ Double-click to type the upper end.</source>
         <translation>&lt;p&gt;アームのすべてのタッチと、それについてわかったことです。力の?は、アームがこの姿勢では観測できない成分を示します。&lt;/p&gt;&lt;p&gt;見出しをクリックすると並べ替えます。Ctrl+Cで選択した行をコピーします。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>No touch yet. Touch an object with the forearm.</source>
-        <translation>タッチはまだありません。前腕で物体に触れてください。</translation>
+        <source>No touch yet. Touch an object with the arm&apos;s skin.</source>
+        <translation>タッチはまだありません。アームのスキンで物体に触れてください。</translation>
     </message>
     <message>
         <source>touches</source>

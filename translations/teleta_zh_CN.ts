@@ -25688,8 +25688,8 @@ Double-click to type the upper end.</source>
         <translation>&lt;p&gt;最近触碰的物体有多硬，采用对数刻度。圆点为估计值，穿过它的线段为刚度的 95 % 区间。&lt;/p&gt;&lt;p&gt;若物体的变形几乎不大于机械臂自身的变形，则无法与刚体区分：此时空心箭头表示其刚度至少有这么大。&lt;/p&gt;&lt;p&gt;海绵和橡胶海绵可安全触碰；橡胶、木材和金属有危险。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Touch an object with the forearm: its stiffness appears here.</source>
-        <translation>用前臂触碰物体：其刚度将显示在此处。</translation>
+        <source>Touch an object with the arm&apos;s skin: its stiffness appears here.</source>
+        <translation>用机械臂的皮肤触碰物体：其刚度将显示在此处。</translation>
     </message>
     <message>
         <source>stiffness</source>
@@ -25816,8 +25816,8 @@ Double-click to type the upper end.</source>
         <translation>&lt;p&gt;机械臂的每次触碰及由此得到的信息。力中的 ? 表示机械臂在其构型下不可观测的分量。&lt;/p&gt;&lt;p&gt;单击标题可排序。Ctrl+C 复制所选的行。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>No touch yet. Touch an object with the forearm.</source>
-        <translation>尚无触碰。请用前臂触碰物体。</translation>
+        <source>No touch yet. Touch an object with the arm&apos;s skin.</source>
+        <translation>尚无触碰。请用机械臂的皮肤触碰物体。</translation>
     </message>
     <message>
         <source>touches</source>

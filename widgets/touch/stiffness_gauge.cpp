@@ -23,7 +23,7 @@ void StiffnessGauge::retranslate() {
            "an open arrow shows that its stiffness is at least so large.</p>"
            "<p>Sponge and rubber sponge are safe to touch; rubber, wood and metal are a danger.</p>"));
     if (m_defaultEmptyText)
-        m_content.emptyText = tr("Touch an object with the forearm: its stiffness appears here.");
+        m_content.emptyText = tr("Touch an object with the arm's skin: its stiffness appears here.");
     shown();
 }
 

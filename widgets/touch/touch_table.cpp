@@ -87,7 +87,7 @@ void TouchTable::retranslate() {
            "component that the arm cannot observe in its configuration.</p><p>Click a title to sort. "
            "Ctrl+C copies the selected rows.</p>"));
     if (m_defaultEmptyText)
-        setHint(tr("No touch yet. Touch an object with the forearm."));
+        setHint(tr("No touch yet. Touch an object with the arm's skin."));
     m_model->retranslate();
     update();
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -19,11 +20,19 @@ constexpr double kLeastShell = 1.0;
 
 constexpr int kShadowBands = 12;        ///< from the middle to the rim
 constexpr int kShadowSides = 12;        ///< of each half circle
-constexpr double kDarkest = 0.235;      ///< opacity in the middle
+constexpr double kDarkest = 0.235;      ///< opacity in the middle of one link's
+constexpr double kLightest = 0.1;       ///< likewise of an arm of many links
+constexpr double kDarkestOfArm = 0.415; ///< where all links stand above each other, if they are few
 constexpr double kShadowReach = 1.8;    ///< of the rim beyond the link's axis, in its radii
 constexpr double kBlurPerHeight = 0.24; ///< how much farther for each metre above the ground, m
 constexpr double kShadowMiddle = 0.25;  ///< of the reach: as dark as can be
 constexpr double kBelowGrid_m = 5e-4;   ///< the lines of the ground stay visible
+
+/// The shadows of links above each other add up, so those of an arm with many are lighter.
+double darknessOf(std::size_t links) {
+    return std::clamp(1.0 - std::pow(1.0 - kDarkestOfArm, 1.0 / static_cast<double>(links)), kLightest,
+                      kDarkest);
+}
 
 bool isDrawableLink(const ArmLink& link) {
     return link.X_World_Link.matrix().allFinite() && std::isfinite(link.length_m) &&
@@ -119,6 +128,7 @@ void ArmPart::drawBase(const Eigen::Vector3d& shoulder, double radius_m) {
 
 /// Bands around the link's projection, from dark to clear: the darkness falls without a kink at either end.
 void ArmPart::drawShadow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m) {
+    const double darkest = darknessOf(m_links.size());
     const double z_m = m_ground_m - kBelowGrid_m;
     const double height_m = std::max(0.0, 0.5 * (from.z() + to.z()) - m_ground_m);
     const double reach_m = kShadowReach * radius_m + kBlurPerHeight * height_m;
@@ -133,10 +143,10 @@ void ArmPart::drawShadow(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
         return Eigen::Vector3d(centre.x() + wide_m * std::cos(heading_rad + turn),
                                centre.y() + wide_m * std::sin(heading_rad + turn), z_m);
     };
-    const auto black = [](double share) {
+    const auto black = [darkest](double share) {
         const double fallen = std::clamp((share - kShadowMiddle) / (1.0 - kShadowMiddle), 0.0, 1.0);
         const double dark = 1.0 - fallen * fallen * (3.0 - 2.0 * fallen);
-        return qRgba(0, 0, 0, static_cast<int>(std::lround(255.0 * kDarkest * dark)));
+        return qRgba(0, 0, 0, static_cast<int>(std::lround(255.0 * darkest * dark)));
     };
     constexpr int kCorners = 2 * (kShadowSides + 1);
     for (int band = 0; band < kShadowBands; ++band) {
