@@ -819,12 +819,12 @@
 <context>
     <name>BoardCorners</name>
     <message>
-        <source>only %1 of the %2 corners of the chessboard are in the picture</source>
-        <translation>seuls %1 des %2 coins de l’échiquier sont dans l’image</translation>
-    </message>
-    <message>
         <source>a whole chessboard of %1 x %2 inner corners, in focus and evenly lit</source>
         <translation>un échiquier entier de %1 x %2 coins intérieurs, net et éclairé uniformément</translation>
+    </message>
+    <message>
+        <source>only %1 of the %2 corners of the chessboard are found</source>
+        <translation>seuls %1 des %2 coins de l’échiquier sont trouvés</translation>
     </message>
 </context>
 <context>
@@ -1268,6 +1268,10 @@
     <message>
         <source>Camera and lens of a tactile cylinder, or the plane of a flat gel</source>
         <translation>Caméra et objectif d’un cylindre tactile, ou plan d’un gel plat</translation>
+    </message>
+    <message>
+        <source>this is for a tactile cylinder, not for --plane</source>
+        <translation>cela concerne un cylindre tactile, pas --plane</translation>
     </message>
 </context>
 <context>
@@ -3715,12 +3719,12 @@ Exemples&#xa0;:
         <translation>kind = &quot;modbus&quot;, &quot;wts&quot;, &quot;camera&quot;, &quot;hid_bracelet&quot;, &quot;taxels&quot;, &quot;magnetometers&quot;, &quot;xela&quot;, &quot;sound_bracelet&quot;, &quot;marker_gel&quot;, &quot;ros_tactile&quot; ou &quot;ros_camera&quot;</translation>
     </message>
     <message>
-        <source>chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at rest moves with it. Wait until it is warm</source>
-        <translation>la température de la puce %1 a changé de %2 K entre-temps&#xa0;: ce que le capteur lit au repos change avec elle. Attendez qu’il soit chaud</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>the temperature of chip %1 changed by %2 K while it was probed: what the sensor reads at rest moves with it. Wait until it is warm</source>
+        <translation>la température de la puce %1 a changé de %2 K pendant le test&#xa0;: la valeur au repos du capteur la suit. Attendez qu’il soit chaud</translation>
     </message>
 </context>
 <context>
@@ -5117,7 +5121,7 @@ Exemples&#xa0;:
     <message>
         <source>extrapolated</source>
         <comment>loads</comment>
-        <translation>extrapolé</translation>
+        <translation>extrapolation</translation>
     </message>
 </context>
 <context>
@@ -8177,20 +8181,12 @@ Aire %6</translation>
         <translation>Trouver comment les pixels deviennent des positions sur un gel plat&#xa0;: par --board, --ruler ou --pitch-mm</translation>
     </message>
     <message>
-        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers</source>
-        <translation>D’un gel plat&#xa0;: son fichier de capteur, avec le cadrage, les retournements, l’objectif et la grille des marqueurs</translation>
-    </message>
-    <message>
         <source>Inner corners of the chessboard in the picture, as 7x5</source>
         <translation>Coins intérieurs de l’échiquier dans l’image, comme 7x5</translation>
     </message>
     <message>
         <source>Side of a square of the chessboard, mm</source>
         <translation>Côté d’une case de l’échiquier, mm</translation>
-    </message>
-    <message>
-        <source>Two points of a ruler in the picture, and their distance; several times for several lengths. No picture is read</source>
-        <translation>Deux points d’une règle dans l’image, et leur distance&#xa0;; plusieurs fois pour plusieurs longueurs. Aucune image n’est lue</translation>
     </message>
     <message>
         <source>Distance of neighbouring markers of the gel, mm</source>
@@ -8218,15 +8214,11 @@ Aire %6</translation>
     </message>
     <message>
         <source>%1 px rms</source>
-        <translation>%1 px (valeur efficace)</translation>
+        <translation>%1 px RMS</translation>
     </message>
     <message>
         <source>one of --board, --ruler and --pitch-mm is needed</source>
         <translation>il faut l’une des options --board, --ruler et --pitch-mm</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no size, as 7x5</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas une taille, comme 7x5</translation>
     </message>
     <message>
         <source>a single row does not show a plane</source>
@@ -8235,10 +8227,6 @@ Aire %6</translation>
     <message>
         <source>the side of a square is needed with --board</source>
         <translation>le côté d’une case est nécessaire avec --board</translation>
-    </message>
-    <message>
-        <source>this is no picture</source>
-        <translation>ce n’est pas une image</translation>
     </message>
     <message>
         <source>a PNG or JPEG picture of a chessboard</source>
@@ -8259,6 +8247,42 @@ Aire %6</translation>
     <message>
         <source>&quot;%1&quot; is not two pixels and a length: U,V,U,V,MM</source>
         <translation>«&#xa0;%1&#xa0;» n’est pas deux pixels et une longueur&#xa0;: U,V,U,V,MM</translation>
+    </message>
+    <message>
+        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers; [plane] may be absent</source>
+        <translation>D’un gel plat&#xa0;: son fichier de capteur, avec cadrage, retournements, objectif et grille des marqueurs&#xa0;; [plane] peut manquer</translation>
+    </message>
+    <message>
+        <source>Two points of a ruler in the camera&apos;s whole picture, and their distance; several times for several lengths. A picture is only read for its size</source>
+        <translation>Deux points d’une règle dans l’image entière de la caméra, et leur distance&#xa0;; plusieurs fois pour plusieurs longueurs. Une image n’est lue que pour sa taille</translation>
+    </message>
+    <message>
+        <source>Rulers</source>
+        <translation>Règles</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a size such as 7x5</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une taille comme 7x5</translation>
+    </message>
+    <message>
+        <source>this is not a picture</source>
+        <translation>ce n’est pas une image</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG picture</source>
+        <translation>une image PNG ou JPEG</translation>
+    </message>
+    <message>
+        <source>a point lies outside the picture of %1 x %2 pixels</source>
+        <translation>un point est hors de l’image de %1 x %2 pixels</translation>
+    </message>
+    <message>
+        <source>the lens of the sensor file needs the size of the picture: give a picture too, or a crop in the sensor file</source>
+        <translation>l’objectif du fichier de capteur exige la taille de l’image&#xa0;: donnez aussi une image, ou un cadrage dans le fichier de capteur</translation>
+    </message>
+    <message>
+        <source>a point lies where the lens of the sensor file shows no place</source>
+        <translation>un point est là où l’objectif du fichier de capteur ne montre aucun lieu</translation>
     </message>
 </context>
 <context>
@@ -8305,6 +8329,14 @@ Aire %6</translation>
     <message>
         <source>no ruler was read</source>
         <translation>aucune règle n’a été lue</translation>
+    </message>
+    <message>
+        <source>the rulers contradict each other: %1 mm is %2 px off</source>
+        <translation>les règles se contredisent&#xa0;: l’écart de %1 mm est de %2 px</translation>
+    </message>
+    <message>
+        <source>lengths that agree within 5 %; a picture seen askew needs a chessboard</source>
+        <translation>des longueurs qui concordent à 5&#xa0;% près&#xa0;; une image prise de biais demande un échiquier</translation>
     </message>
 </context>
 <context>
@@ -25260,21 +25292,16 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>charge</translation>
     </message>
     <message>
-        <source>load along x</source>
-        <translation>charge selon x</translation>
-    </message>
-    <message>
-        <source>load along y</source>
-        <translation>charge selon y</translation>
-    </message>
-    <message>
         <source>moment</source>
         <translation>moment</translation>
     </message>
     <message>
-        <source>extrapolated</source>
-        <comment>loads</comment>
-        <translation>extrapolé</translation>
+        <source>shear along x</source>
+        <translation>cisaillement selon x</translation>
+    </message>
+    <message>
+        <source>shear along y</source>
+        <translation>cisaillement selon y</translation>
     </message>
 </context>
 <context>

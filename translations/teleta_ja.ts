@@ -817,12 +817,12 @@
 <context>
     <name>BoardCorners</name>
     <message>
-        <source>only %1 of the %2 corners of the chessboard are in the picture</source>
-        <translation>画像にはチェスボードの%2個の角のうち%1個しかありません</translation>
-    </message>
-    <message>
         <source>a whole chessboard of %1 x %2 inner corners, in focus and evenly lit</source>
         <translation>内側の角が%1 x %2個で、全体が写り、ピントが合い、均一に照らされたチェスボード</translation>
+    </message>
+    <message>
+        <source>only %1 of the %2 corners of the chessboard are found</source>
+        <translation>チェスボードの%2個の角のうち%1個しか見つかりません</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +1265,10 @@
     <message>
         <source>Camera and lens of a tactile cylinder, or the plane of a flat gel</source>
         <translation>触覚円筒のカメラとレンズ、または平らなゲルの面</translation>
+    </message>
+    <message>
+        <source>this is for a tactile cylinder, not for --plane</source>
+        <translation>これは触覚円筒用で、--planeには使えません</translation>
     </message>
 </context>
 <context>
@@ -3708,12 +3712,12 @@ Examples:
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;、&quot;ros_tactile&quot;、&quot;ros_camera&quot;のいずれか</translation>
     </message>
     <message>
-        <source>chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at rest moves with it. Wait until it is warm</source>
-        <translation>その間にチップ%1の温度が%2 K変わりました。静止時の値も温度とともに変わります。センサーが温まるまでお待ちください</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>警告</translation>
+    </message>
+    <message>
+        <source>the temperature of chip %1 changed by %2 K while it was probed: what the sensor reads at rest moves with it. Wait until it is warm</source>
+        <translation>調べている間にチップ%1の温度が%2 K変化しました。センサーの静止時の値も一緒に動きます。温まるまで待ってください</translation>
     </message>
 </context>
 <context>
@@ -8158,20 +8162,12 @@ x %4, y %5
         <translation>平らなゲル上の位置と画素の対応を、--board、--ruler、--pitch-mmのいずれかで求めます</translation>
     </message>
     <message>
-        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers</source>
-        <translation>平らなゲルのセンサーファイル。切り抜き、反転、レンズ、マーカーの格子を使います</translation>
-    </message>
-    <message>
         <source>Inner corners of the chessboard in the picture, as 7x5</source>
         <translation>画像にあるチェスボードの内側の角の数。例: 7x5</translation>
     </message>
     <message>
         <source>Side of a square of the chessboard, mm</source>
         <translation>チェスボードの升目の一辺 (mm)</translation>
-    </message>
-    <message>
-        <source>Two points of a ruler in the picture, and their distance; several times for several lengths. No picture is read</source>
-        <translation>画像に写った定規の2点とその距離。複数の長さには複数回指定します。画像は読み込みません</translation>
     </message>
     <message>
         <source>Distance of neighbouring markers of the gel, mm</source>
@@ -8206,20 +8202,12 @@ x %4, y %5
         <translation>--board、--ruler、--pitch-mmのいずれか1つが必要です</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no size, as 7x5</source>
-        <translation>「%1」は大きさではありません。例: 7x5</translation>
-    </message>
-    <message>
         <source>a single row does not show a plane</source>
         <translation>1行だけでは面が決まりません</translation>
     </message>
     <message>
         <source>the side of a square is needed with --board</source>
         <translation>--boardには升目の一辺が必要です</translation>
-    </message>
-    <message>
-        <source>this is no picture</source>
-        <translation>これは画像ではありません</translation>
     </message>
     <message>
         <source>a PNG or JPEG picture of a chessboard</source>
@@ -8240,6 +8228,42 @@ x %4, y %5
     <message>
         <source>&quot;%1&quot; is not two pixels and a length: U,V,U,V,MM</source>
         <translation>「%1」は2つの画素と長さ(U,V,U,V,MM)ではありません</translation>
+    </message>
+    <message>
+        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers; [plane] may be absent</source>
+        <translation>平らなゲルの場合: 切り抜き、反転、レンズ、マーカーの格子を記したセンサーファイル。[plane]はなくてもかまいません</translation>
+    </message>
+    <message>
+        <source>Two points of a ruler in the camera&apos;s whole picture, and their distance; several times for several lengths. A picture is only read for its size</source>
+        <translation>カメラの画像全体の中の定規の2点とその距離。複数の長さには繰り返し指定します。画像は大きさのためにだけ読み込まれます</translation>
+    </message>
+    <message>
+        <source>Rulers</source>
+        <translation>定規</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a size such as 7x5</source>
+        <translation>「%1」は7x5のようなサイズではありません</translation>
+    </message>
+    <message>
+        <source>this is not a picture</source>
+        <translation>これは画像ではありません</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG picture</source>
+        <translation>PNGまたはJPEGの画像</translation>
+    </message>
+    <message>
+        <source>a point lies outside the picture of %1 x %2 pixels</source>
+        <translation>点が%1 x %2ピクセルの画像の外にあります</translation>
+    </message>
+    <message>
+        <source>the lens of the sensor file needs the size of the picture: give a picture too, or a crop in the sensor file</source>
+        <translation>センサーファイルのレンズには画像の大きさが必要です。画像も指定するか、センサーファイルで切り抜きを指定してください</translation>
+    </message>
+    <message>
+        <source>a point lies where the lens of the sensor file shows no place</source>
+        <translation>センサーファイルのレンズでは何も写らない位置に点があります</translation>
     </message>
 </context>
 <context>
@@ -8285,6 +8309,14 @@ x %4, y %5
     <message>
         <source>no ruler was read</source>
         <translation>定規が読み取られていません</translation>
+    </message>
+    <message>
+        <source>the rulers contradict each other: %1 mm is %2 px off</source>
+        <translation>定規が互いに矛盾しています: %1 mmが%2 pxずれています</translation>
+    </message>
+    <message>
+        <source>lengths that agree within 5 %; a picture seen askew needs a chessboard</source>
+        <translation>5 %以内で一致する長さ。斜めに撮った画像にはチェスボードが必要です</translation>
     </message>
 </context>
 <context>
@@ -25188,21 +25220,16 @@ Double-click to type the upper end.</source>
         <translation>荷重</translation>
     </message>
     <message>
-        <source>load along x</source>
-        <translation>x方向の荷重</translation>
-    </message>
-    <message>
-        <source>load along y</source>
-        <translation>y方向の荷重</translation>
-    </message>
-    <message>
         <source>moment</source>
         <translation>モーメント</translation>
     </message>
     <message>
-        <source>extrapolated</source>
-        <comment>loads</comment>
-        <translation>外挿</translation>
+        <source>shear along x</source>
+        <translation>x方向のせん断</translation>
+    </message>
+    <message>
+        <source>shear along y</source>
+        <translation>y方向のせん断</translation>
     </message>
 </context>
 <context>

@@ -817,12 +817,12 @@
 <context>
     <name>BoardCorners</name>
     <message>
-        <source>only %1 of the %2 corners of the chessboard are in the picture</source>
-        <translation>图像中只有棋盘 %2 个角点中的 %1 个</translation>
-    </message>
-    <message>
         <source>a whole chessboard of %1 x %2 inner corners, in focus and evenly lit</source>
         <translation>内角点为 %1 x %2 的完整棋盘，对焦清晰、照明均匀</translation>
+    </message>
+    <message>
+        <source>only %1 of the %2 corners of the chessboard are found</source>
+        <translation>棋盘的 %2 个角点中只找到 %1 个</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +1265,10 @@
     <message>
         <source>Camera and lens of a tactile cylinder, or the plane of a flat gel</source>
         <translation>触觉圆柱的相机和镜头，或平面凝胶的平面</translation>
+    </message>
+    <message>
+        <source>this is for a tactile cylinder, not for --plane</source>
+        <translation>此选项用于触觉圆柱，不用于 --plane</translation>
     </message>
 </context>
 <context>
@@ -3708,12 +3712,12 @@ Examples:
         <translation>kind = &quot;modbus&quot;、&quot;wts&quot;、&quot;camera&quot;、&quot;hid_bracelet&quot;、&quot;taxels&quot;、&quot;magnetometers&quot;、&quot;xela&quot;、&quot;sound_bracelet&quot;、&quot;marker_gel&quot;、&quot;ros_tactile&quot; 或 &quot;ros_camera&quot;</translation>
     </message>
     <message>
-        <source>chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at rest moves with it. Wait until it is warm</source>
-        <translation>在此期间芯片 %1 的温度变化了 %2 K：传感器静止时的读数随之变化。请等待其预热</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>警告</translation>
+    </message>
+    <message>
+        <source>the temperature of chip %1 changed by %2 K while it was probed: what the sensor reads at rest moves with it. Wait until it is warm</source>
+        <translation>探测期间芯片 %1 的温度变化了 %2 K：传感器的静止读数随之变化。请等待其预热</translation>
     </message>
 </context>
 <context>
@@ -8158,20 +8162,12 @@ x %4，y %5
         <translation>求像素如何对应平面凝胶上的位置：用 --board、--ruler 或 --pitch-mm</translation>
     </message>
     <message>
-        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers</source>
-        <translation>平面凝胶的传感器文件，含裁剪、翻转、镜头和标记网格</translation>
-    </message>
-    <message>
         <source>Inner corners of the chessboard in the picture, as 7x5</source>
         <translation>图像中棋盘的内角点数，如 7x5</translation>
     </message>
     <message>
         <source>Side of a square of the chessboard, mm</source>
         <translation>棋盘方格的边长，mm</translation>
-    </message>
-    <message>
-        <source>Two points of a ruler in the picture, and their distance; several times for several lengths. No picture is read</source>
-        <translation>图像中标尺上的两点及其距离；多个长度可多次给出。不读取图像</translation>
     </message>
     <message>
         <source>Distance of neighbouring markers of the gel, mm</source>
@@ -8206,20 +8202,12 @@ x %4，y %5
         <translation>需要 --board、--ruler 和 --pitch-mm 之一</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no size, as 7x5</source>
-        <translation>“%1”不是尺寸，应如 7x5</translation>
-    </message>
-    <message>
         <source>a single row does not show a plane</source>
         <translation>单独一行不能确定平面</translation>
     </message>
     <message>
         <source>the side of a square is needed with --board</source>
         <translation>使用 --board 时需要方格的边长</translation>
-    </message>
-    <message>
-        <source>this is no picture</source>
-        <translation>这不是图像</translation>
     </message>
     <message>
         <source>a PNG or JPEG picture of a chessboard</source>
@@ -8240,6 +8228,42 @@ x %4，y %5
     <message>
         <source>&quot;%1&quot; is not two pixels and a length: U,V,U,V,MM</source>
         <translation>“%1”不是两个像素和一个长度：U,V,U,V,MM</translation>
+    </message>
+    <message>
+        <source>Of a flat gel: its sensor file, with crop, flips, lens and grid of markers; [plane] may be absent</source>
+        <translation>对于平面凝胶：其传感器文件，含裁剪、翻转、镜头和标记网格；可以没有 [plane]</translation>
+    </message>
+    <message>
+        <source>Two points of a ruler in the camera&apos;s whole picture, and their distance; several times for several lengths. A picture is only read for its size</source>
+        <translation>相机整幅图像中标尺上的两点及其距离；多个长度可重复给出。图像只用于读取其尺寸</translation>
+    </message>
+    <message>
+        <source>Rulers</source>
+        <translation>标尺</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a size such as 7x5</source>
+        <translation>“%1”不是像 7x5 这样的尺寸</translation>
+    </message>
+    <message>
+        <source>this is not a picture</source>
+        <translation>这不是图像</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG picture</source>
+        <translation>PNG 或 JPEG 图像</translation>
+    </message>
+    <message>
+        <source>a point lies outside the picture of %1 x %2 pixels</source>
+        <translation>有一点位于 %1 x %2 像素的图像之外</translation>
+    </message>
+    <message>
+        <source>the lens of the sensor file needs the size of the picture: give a picture too, or a crop in the sensor file</source>
+        <translation>传感器文件中的镜头需要图像尺寸：请同时给出一幅图像，或在传感器文件中给出裁剪</translation>
+    </message>
+    <message>
+        <source>a point lies where the lens of the sensor file shows no place</source>
+        <translation>有一点位于传感器文件中的镜头不成像之处</translation>
     </message>
 </context>
 <context>
@@ -8285,6 +8309,14 @@ x %4，y %5
     <message>
         <source>no ruler was read</source>
         <translation>没有读取标尺</translation>
+    </message>
+    <message>
+        <source>the rulers contradict each other: %1 mm is %2 px off</source>
+        <translation>各标尺相互矛盾：%1 mm 偏差 %2 px</translation>
+    </message>
+    <message>
+        <source>lengths that agree within 5 %; a picture seen askew needs a chessboard</source>
+        <translation>相差在 5 % 以内的长度；斜拍的图像需要棋盘</translation>
     </message>
 </context>
 <context>
@@ -25188,21 +25220,16 @@ Double-click to type the upper end.</source>
         <translation>载荷</translation>
     </message>
     <message>
-        <source>load along x</source>
-        <translation>x 向载荷</translation>
-    </message>
-    <message>
-        <source>load along y</source>
-        <translation>y 向载荷</translation>
-    </message>
-    <message>
         <source>moment</source>
         <translation>力矩</translation>
     </message>
     <message>
-        <source>extrapolated</source>
-        <comment>loads</comment>
-        <translation>外推</translation>
+        <source>shear along x</source>
+        <translation>沿 x 的剪切</translation>
+    </message>
+    <message>
+        <source>shear along y</source>
+        <translation>沿 y 的剪切</translation>
     </message>
 </context>
 <context>

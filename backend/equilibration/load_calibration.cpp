@@ -32,13 +32,13 @@ Sorted sorted(const Eigen::MatrixXd& load) {
 } // namespace
 
 LoadCalibration::Loads LoadCalibration::at(const Eigen::VectorXd& values) const {
-    const bool inside = values.allFinite() && ((values - least).array() >= 0.0).all() &&
-                        ((greatest - values).array() >= 0.0).all();
+    const bool outside = values.allFinite() && !(((values - least).array() >= 0.0).all() &&
+                                                 ((greatest - values).array() >= 0.0).all());
     const Eigen::VectorXd moved = values - rest;
     const Eigen::VectorXd ofGains = error * moved.cwiseAbs();
     return {.loads = gain * moved,
             .errors = (scatter.array().square() + ofGains.array().square()).sqrt(),
-            .extrapolated = !inside};
+            .extrapolated = outside};
 }
 
 core::Expected<LoadCalibration> findLoadCalibration(const KnownPresses& presses) {

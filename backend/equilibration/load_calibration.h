@@ -34,7 +34,8 @@ struct LoadCalibration {
         /// the errors of all gains went together. The rest counts as exact. Of noise as in the presses,
         /// within their range.
         Eigen::VectorXd errors;
-        bool extrapolated = false; ///< a signal lies outside of what the presses had
+        /// A signal lies outside of what the presses had. Loads that are not defined lie nowhere.
+        bool extrapolated = false;
     };
     /// values: one number a channel. Thread: any (pure).
     [[nodiscard]] Loads at(const Eigen::VectorXd& values) const;

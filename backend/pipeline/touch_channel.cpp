@@ -120,6 +120,8 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
     } else if (changed && m_block.frames() > 0) {
         // A paused source delivers nothing: its last frame shows what the new settings do.
         analyse(m_block, m_block.frames() - 1);
+        if (m_loads)
+            findLoads(m_block, m_block.frames() - 1);
         publish();
     }
     return frames;
@@ -190,7 +192,7 @@ void TouchChannel::takeTemperatures(std::span<const std::shared_ptr<const TouchT
         for (const auto& each : taps)
             if (each && each->temperatures)
                 each->temperatures->append(sample.time_ns, sample.sourceTime_s,
-                                           std::span<const double>(values));
+                                           std::span<const double>(values), sample.discontinuity);
         m_drift.take(sample.values_degC);
     }
     const bool isTold = m_drift.isTold() && !m_settings.conditioning.tare.empty();

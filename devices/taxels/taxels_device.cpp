@@ -218,11 +218,16 @@ void TaxelsDevice::appendFrame(const DecodedFrame& frame, core::SampleBlock& blo
     block.time_ns.push_back(m_read_ns);
     block.sourceTime_s.push_back(step.time_s);
     block.values.insert(block.values.end(), m_values.begin(), m_values.end());
-    if (m_file.temperatures > 0)
-        m_temperatures.push(
-            {m_read_ns,
-             step.time_s,
-             {frame.values.end() - static_cast<std::ptrdiff_t>(m_file.temperatures), frame.values.end()}});
+    if (m_file.temperatures == 0)
+        return;
+    // The frame after an outage is the first of its block.
+    const bool isAfterOutage = m_discontinuity && block.frames() == 1;
+    m_temperatureDropped = !m_temperatures.push(
+        {.time_ns = m_read_ns,
+         .sourceTime_s = step.time_s,
+         .values_degC = {frame.values.end() - static_cast<std::ptrdiff_t>(m_file.temperatures),
+                         frame.values.end()},
+         .discontinuity = isAfterOutage || m_temperatureDropped});
 }
 
 void TaxelsDevice::prepare(core::SampleBlock& block) {

@@ -12,6 +12,7 @@
 #include "widgets/tactile/shear_arrows.h"
 
 #include <QPainter>
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
@@ -452,6 +453,7 @@ void HeatmapPainter::paintHeader() {
     const QFont normal = m_painter->font();
     const QFont bold = base::bold(base::sized(normal, base::kLargeText));
     double x = rect.left();
+    QStringList shown;
     const auto piece = [&](const QString& text, bool strong, double width) {
         m_painter->setFont(strong ? bold : normal);
         m_painter->setPen(m_palette.color(strong ? QPalette::Text : QPalette::PlaceholderText));
@@ -462,19 +464,27 @@ void HeatmapPainter::paintHeader() {
     const auto widthOf = [&](const QString& text, bool strong) {
         return base::tabularWidth(QFontMetricsF(strong ? bold : normal), text);
     };
+    double right = rect.right();
     const auto pair = [&](const QString& name, const QString& value, const QString& widest) {
         const double nameWidth = widthOf(name, false) + 0.4 * m_em;
         const double valueWidth = std::max(widthOf(value, true), widthOf(widest, true));
-        if (x + nameWidth + valueWidth > rect.right())
+        if (x + nameWidth + valueWidth > right)
             return;
         piece(name, false, nameWidth);
         piece(value, true, valueWidth + 1.2 * m_em);
+        shown << name + QLatin1Char(' ') + value;
     };
+    // No load is shown without the mark that it is extrapolated.
+    const QString mark = m_content->extrapolated ? tr("extrapolated", "loads") : QString();
+    const double markWidth = mark.isEmpty() ? 0.0 : widthOf(mark, false) + 1.2 * m_em;
+    right -= markWidth;
     for (const FrameLoad& load : m_content->loads)
         pair(load.name, load.value, {});
-    if (const QString text = tr("extrapolated", "loads");
-        m_content->extrapolated && x + widthOf(text, false) <= rect.right())
-        piece(text, false, widthOf(text, false) + 1.2 * m_em);
+    right += markWidth;
+    if (!mark.isEmpty() && !shown.isEmpty()) {
+        piece(mark, false, markWidth);
+        shown << mark;
+    }
     pair(tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {});
     if (m_content->hasShear() && m_content->shows(Overlay::shear))
         pair(tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {});
@@ -482,6 +492,7 @@ void HeatmapPainter::paintHeader() {
     static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
     pair(tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), {});
     m_painter->setFont(normal);
+    m_headerText = shown.join(QStringLiteral(", "));
 }
 
 void HeatmapPainter::paintLegend() {

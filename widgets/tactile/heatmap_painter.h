@@ -28,6 +28,9 @@ public:
     void paint(QPainter& painter, const HeatmapLayout& layout, const HeatmapContent& content,
                const QPalette& palette, Medium medium);
 
+    /// What the header said when it was last painted: "load 1.250 ± 0.050 N, contacts 2".
+    [[nodiscard]] const QString& headerText() const { return m_headerText; }
+
 private:
     void paintTaxels(Medium medium);
     void paintAbsent();
@@ -57,6 +60,7 @@ private:
     const HeatmapContent* m_content = nullptr;
     QPalette m_palette;
     double m_em = 16.0;
+    QString m_headerText;
     QImage m_image; ///< reused to avoid allocations
 };
 

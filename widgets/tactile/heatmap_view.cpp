@@ -3,6 +3,7 @@
 
 #include "widgets/base/controls/inline_edit.h"
 #include "widgets/base/controls/provenance_stripe.h"
+#include "widgets/base/numbers/moment_unit.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/tactile/shear_arrows.h"
@@ -13,7 +14,6 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QStringList>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -116,37 +116,24 @@ void HeatmapView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
 
 void HeatmapView::setLoads(const std::optional<pipeline::LoadReading>& loads) {
     m_content.loads.clear();
-    // A signal that is not defined in this frame gives no load, which lies nowhere.
-    m_content.extrapolated = loads && loads->at.extrapolated && loads->at.loads.allFinite();
-    static constexpr std::array kNames{QT_TR_NOOP("load"), QT_TR_NOOP("load along x"),
-                                       QT_TR_NOOP("load along y"), QT_TR_NOOP("moment")};
+    m_content.extrapolated = loads && loads->at.extrapolated;
+    static constexpr std::array kNames{QT_TR_NOOP("load"), QT_TR_NOOP("shear along x"),
+                                       QT_TR_NOOP("shear along y"), QT_TR_NOOP("moment")};
     static_assert(kNames.size() == equilibration::kLoadColumns.size());
-    constexpr double kMillinewtonmetres = 1e3;
     for (std::size_t i = 0; loads && i < loads->names.size(); ++i) {
         const auto known = std::ranges::find(equilibration::kLoadColumns, loads->names[i]);
         const auto at = static_cast<std::size_t>(known - equilibration::kLoadColumns.begin());
         if (known == equilibration::kLoadColumns.end())
             continue;
-        const bool isMoment = *known == "moment_nm";
-        const double scale = isMoment ? kMillinewtonmetres : 1.0;
-        m_loads[at].update(scale * loads->at.loads[static_cast<Eigen::Index>(i)]);
-        m_loadErrors[at].update(scale * loads->at.errors[static_cast<Eigen::Index>(i)]);
-        const QString number = m_loads[at].shown() ? m_loads[at].text() + QStringLiteral(" \u00b1 ") +
-                                                         m_loadErrors[at].text().remove(QChar(0x2007))
-                                                   : m_loads[at].text();
-        m_content.loads.push_back(
-            {tr(kNames[at]), base::withUnit(number, isMoment ? QStringLiteral("mNm") : QStringLiteral("N"))});
+        const double load = loads->at.loads[static_cast<Eigen::Index>(i)];
+        const double error = loads->at.errors[static_cast<Eigen::Index>(i)];
+        const base::MomentUnit unit = *known == "moment_nm"
+                                          ? base::momentUnit(std::fmax(std::abs(load), error))
+                                          : base::MomentUnit{1.0, QStringLiteral("N")};
+        m_loads[at].update(unit.perNm * load, unit.perNm * error);
+        m_content.loads.push_back({tr(kNames[at]), base::withUnit(m_loads[at].text(), unit.name)});
     }
     update();
-}
-
-QString HeatmapView::loadsText() const {
-    QStringList texts;
-    for (const FrameLoad& load : m_content.loads)
-        texts << load.name + QLatin1Char(' ') + load.value;
-    if (m_content.extrapolated)
-        texts << tr("extrapolated", "loads");
-    return texts.join(QStringLiteral(", "));
 }
 
 void HeatmapView::updateRange() {

@@ -7,6 +7,7 @@
 #include "widgets/base/figure/figure_view.h"
 #include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/steady_estimate.h"
 #include "widgets/tactile/heatmap_content.h"
 #include "widgets/tactile/heatmap_painter.h"
 
@@ -40,8 +41,8 @@ public:
     void setSnapshot(const pipeline::TouchSnapshot& snapshot);
     /// The loads that a calibration of the array gives of its frame; nothing: there are none.
     void setLoads(const std::optional<pipeline::LoadReading>& loads);
-    /// "load 1.23 ± 0.05 N", as they are shown; empty: there are none.
-    [[nodiscard]] QString loadsText() const;
+    /// What the header said when it was last painted, see HeatmapPainter.
+    [[nodiscard]] const QString& headerText() const { return m_painter.headerText(); }
     void clear();
     void setEmptyText(const QString& text);
     void setProvenance(base::Provenance provenance);
@@ -101,8 +102,7 @@ private:
     base::SteadyNumber m_force;
     base::SteadyNumber m_shear;
     base::SteadyNumber m_angle{1.0};
-    std::array<base::SteadyNumber, equilibration::kLoadColumns.size()> m_loads;
-    std::array<base::SteadyNumber, equilibration::kLoadColumns.size()> m_loadErrors;
+    std::array<base::SteadyEstimate, equilibration::kLoadColumns.size()> m_loads;
     std::array<QAction*, kOverlays> m_overlayActions{};
     QPointer<base::InlineEdit> m_rangeEdit;
     std::optional<Taxel> m_keyboardTaxel;

@@ -2,6 +2,7 @@
 #include "widgets/view3d/overlay_maker.h"
 
 #include "backend/core/data/column_unit.h"
+#include "widgets/base/numbers/moment_unit.h"
 #include "widgets/base/numbers/quantity_text.h"
 
 #include <QLocale>
@@ -21,16 +22,6 @@ constexpr std::size_t kMostLabels = 12;
 
 QString millimetres(double length_m) {
     return base::withUnit(QLocale().toString(length_m * 1e3, 'g', 3), QStringLiteral("mm"));
-}
-
-struct MomentUnit {
-    double perNm;
-    QString name;
-};
-
-/// The unit in which moments of such a range are told.
-MomentUnit unitOf(double range_Nm) {
-    return range_Nm < 1.0 ? MomentUnit{1e3, QStringLiteral("mNm")} : MomentUnit{1.0, QStringLiteral("Nm")};
 }
 
 /// Without the filling that keeps changing numbers in place.
@@ -141,7 +132,7 @@ void OverlayMaker::addWrench(const TouchScene& scene, const WrenchPart& wrench, 
                  scene.colours().jointForce, true, true});
     }
     if (wrench.areMomentsShown() && wrench.momentHead()) {
-        const MomentUnit unit = unitOf(wrench.momentRange_Nm());
+        const base::MomentUnit unit = base::momentUnit(wrench.momentRange_Nm());
         m_moment.update(unit.perNm * wrench.moment_Nm());
         if (const auto place = placeInPicture(*scene.renderer(), *wrench.momentHead()))
             content.labels.push_back(
@@ -270,7 +261,7 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
         if (request.forces && (!scene.marks().empty() || wrench.forceTail()))
             addForce(scene.forceRange_N(), QString::fromStdString(scene.snapshot().loadUnit));
         if (wrench.areMomentsShown() && wrench.momentHead()) {
-            const MomentUnit unit = unitOf(wrench.momentRange_Nm());
+            const base::MomentUnit unit = base::momentUnit(wrench.momentRange_Nm());
             add(tr("Moment, longest arrow: %1")
                     .arg(base::withUnit(QLocale().toString(unit.perNm * wrench.momentRange_Nm(), 'g', 3),
                                         unit.name)),

@@ -26,7 +26,7 @@ class Stream:
     Attributes
     ----------
     kind : str
-        'array', 'features', 'joints', 'touches', 'camera', 'contacts' or 'tactors'.
+        'array', 'features', 'joints', 'touches', 'camera', 'contacts', 'tactors', 'wrench' or 'numbers'.
     type : str
         'float32', 'float64' or 'grey8'.
     shape : tuple of int

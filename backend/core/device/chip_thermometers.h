@@ -14,15 +14,17 @@ struct TemperatureSample {
     std::int64_t time_ns = 0;  ///< steady clock at the read
     double sourceTime_s = 0.0; ///< of the frame
     std::vector<float> values_degC;
+    bool discontinuity = false; ///< after an outage, a restart of the sensor, or samples that were dropped
 };
 
-/// What an array tells besides, whose chips know how warm they are. Thread: chips() by any, temperatures() is
-/// drained by the consumer of the array's frames, which is not notified of temperatures alone.
+/// The temperatures of an array's chips, which it sends with its frames. Thread: chips() by any;
+/// temperatures() is drained by the consumer of the frames, which is not notified of temperatures alone.
 class ChipThermometers {
 public:
     virtual ~ChipThermometers() = default;
-    /// Temperatures of a sample; 0: this array tells none.
+    /// Temperatures of a sample; 0: this array has none.
     [[nodiscard]] virtual std::size_t chips() const = 0;
+    /// Its overflow() counts the samples that were dropped because the consumer was late.
     [[nodiscard]] virtual BoundedQueue<TemperatureSample>& temperatures() = 0;
 };
 

@@ -12,8 +12,8 @@ namespace teleta::core {
 /// at rest moves with temperature. Thread: one (pure).
 class TemperatureDrift {
 public:
-    static constexpr double kTold_K = 5.0; ///< a move of more than this is told,
-    static constexpr double kOver_K = 4.0; ///< until no chip has moved so far any more
+    static constexpr double kTold_K = 5.0; ///< isTold() once a chip has moved by more than this,
+    static constexpr double kOver_K = 4.0; ///< until all chips have moved by less than this
 
     struct Move {
         std::size_t chip = 0; ///< from 0

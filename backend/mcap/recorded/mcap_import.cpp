@@ -52,8 +52,8 @@ constexpr std::string_view kStates = "/joint_states";
 struct TopicState {
     McapImport::Topic report;
     std::optional<TopicRole> role;
-    bool isImageOpen = false;                ///< its first message says what it is read as
-    bool isCloudOpen = false;                ///< its first message says whether it is one of taxels
+    bool isImageOpen = false; ///< its first message says what it is read as
+    bool isCloudOpen = false; ///< the fields of its first message say whether it is one of taxels
     std::optional<core::TaxelLayout> layout; ///< of points, once it is known
     bool isReference = false;                ///< of the joints of another topic
     TopicState* references = nullptr;
@@ -307,13 +307,18 @@ private:
             return;
         if (std::exchange(topic.isImageOpen, false))
             topic.role = imageRoleOf(message.data);
-        if (std::exchange(topic.isCloudOpen, false) && !hasTaxelPoints(message.data)) {
-            topic.role.reset(); // as of a depth camera
-            return;
+        if (topic.isCloudOpen) {
+            const std::optional<bool> isOfTaxels = isCloudOfTaxels(message.data);
+            topic.isCloudOpen = !isOfTaxels;
+            if (isOfTaxels == false) {
+                topic.role.reset(); // as of a depth camera
+                return;
+            }
         }
         if (message.log_ns > kLast_ns ||
             !decodeMessage(*topic.role, message.data, topic.columns, m_decoded) ||
-            (topic.role == TopicRole::points && !placePoints(topic))) {
+            (topic.role == TopicRole::points && !placePoints(topic)) ||
+            (topic.role == TopicRole::numbers && !hasNamesOf(topic))) {
             ++topic.report.bad;
             return;
         }
@@ -346,6 +351,13 @@ private:
         m_decoded.floats = valuesOn(*topic.layout, m_decoded.points);
         m_decoded.shape = pipeline::shapeOf(*topic.layout);
         return !m_decoded.floats.empty();
+    }
+
+    /// Numbers with other names are of other columns.
+    [[nodiscard]] bool hasNamesOf(const TopicState& topic) const {
+        const bool isFirst = !topic.stream && topic.waiting.frames() == 0;
+        return isFirst ||
+               std::ranges::equal(m_decoded.names, topic.info.columns, {}, {}, &recording::Column::name);
     }
 
     void takeSample(TopicState& topic, std::int64_t time_ns, double sourceTime_s) {

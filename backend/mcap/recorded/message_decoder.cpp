@@ -305,10 +305,10 @@ std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
     return std::nullopt;
 }
 
-bool hasTaxelPoints(std::string_view message) {
+std::optional<bool> isCloudOfTaxels(std::string_view message) {
     CdrReader cdr(message);
     DecodedMessage decoded;
-    return readHeader(cdr, decoded) && readPoints(cdr, decoded.points);
+    return readHeader(cdr, decoded) ? hasTaxelFields(cdr) : std::nullopt;
 }
 
 TopicRole imageRoleOf(std::string_view message) {

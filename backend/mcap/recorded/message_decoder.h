@@ -46,8 +46,9 @@ enum class TopicKind { array, camera, joints };
 [[nodiscard]] std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
                                               std::optional<TopicKind> wanted);
 
-/// Whether a PointCloud2 is one of taxels by its first message. Thread: any (pure).
-[[nodiscard]] bool hasTaxelPoints(std::string_view message);
+/// Whether a PointCloud2 has the fields of taxels, see hasTaxelFields(). Nothing: it is damaged. Thread: any
+/// (pure).
+[[nodiscard]] std::optional<bool> isCloudOfTaxels(std::string_view message);
 
 /// What an Image is read as by its first message: pictures of 8 bits are a camera's. Thread: any (pure).
 [[nodiscard]] TopicRole imageRoleOf(std::string_view message);

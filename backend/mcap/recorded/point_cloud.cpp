@@ -77,14 +77,16 @@ void writePoints(CdrWriter& cdr, const core::TaxelLayout& layout, std::span<cons
     cdr.number(static_cast<std::uint8_t>(isDense ? 1 : 0));
 }
 
-bool readPoints(CdrReader& cdr, TaxelPoints& points) {
+namespace {
+
+/// What a cloud has of x, y, z, force_x, force_y, force_z, value.
+using TaxelFields = std::array<std::optional<PointField>, 7>;
+
+TaxelFields readFields(CdrReader& cdr) {
     static constexpr std::array<std::string_view, 7> kNames{"x",       "y",       "z",    "force_x",
                                                             "force_y", "force_z", "value"};
     constexpr std::size_t kFieldBytes = 9;
-    points = {};
-    const std::size_t height = cdr.number<std::uint32_t>();
-    const std::size_t width = cdr.number<std::uint32_t>();
-    std::array<std::optional<PointField>, kNames.size()> fields;
+    TaxelFields fields;
     const std::size_t told = cdr.count(kFieldBytes);
     for (std::size_t i = 0; i < told && !cdr.failed(); ++i) {
         const auto name = std::ranges::find(kNames, cdr.text());
@@ -94,13 +96,38 @@ bool readPoints(CdrReader& cdr, TaxelPoints& points) {
         if (name != kNames.end() && count == 1 && (type == kFloat32 || type == kFloat64))
             fields[static_cast<std::size_t>(name - kNames.begin())] = {offset, type == kFloat64};
     }
+    return fields;
+}
+
+bool areVectors(const TaxelFields& fields) {
+    return fields[3] && fields[4] && fields[5];
+}
+
+bool areOfTaxels(const TaxelFields& fields) {
+    return fields[0] && fields[1] && fields[2] && (areVectors(fields) || fields[6]);
+}
+
+} // namespace
+
+std::optional<bool> hasTaxelFields(CdrReader& cdr) {
+    (void)cdr.number<std::uint32_t>(); // height
+    (void)cdr.number<std::uint32_t>(); // width
+    const TaxelFields fields = readFields(cdr);
+    return cdr.failed() ? std::nullopt : std::optional(areOfTaxels(fields));
+}
+
+bool readPoints(CdrReader& cdr, TaxelPoints& points) {
+    points = {};
+    const std::size_t height = cdr.number<std::uint32_t>();
+    const std::size_t width = cdr.number<std::uint32_t>();
+    const TaxelFields fields = readFields(cdr);
     const bool swaps = cdr.number<std::uint8_t>() != 0;
     const std::size_t step = cdr.number<std::uint32_t>();
     const std::size_t rowStep = cdr.number<std::uint32_t>();
     const std::string_view data = cdr.byteSequence();
-    const bool isVector = fields[3] && fields[4] && fields[5];
-    if (cdr.failed() || !fields[0] || !fields[1] || !fields[2] || (!isVector && !fields[6]) || height == 0 ||
-        width == 0 || height > kMostPoints || width > kMostPoints || height * width > kMostPoints ||
+    const bool isVector = areVectors(fields);
+    if (cdr.failed() || !areOfTaxels(fields) || height == 0 || width == 0 || height > kMostPoints ||
+        width > kMostPoints || height * width > kMostPoints ||
         width > rowStep / std::max<std::size_t>(step, 1) ||
         height > data.size() / std::max<std::size_t>(rowStep, 1))
         return false;

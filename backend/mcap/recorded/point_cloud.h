@@ -6,6 +6,7 @@
 #include "backend/mcap/cdr_reader.h"
 #include "backend/mcap/cdr_writer.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct TaxelPoints {
     std::vector<core::TaxelPlace> places;
     std::vector<float> values; ///< components of each place
 };
+
+/// Whether a sensor_msgs/PointCloud2 after the header has the fields that readPoints() needs, even if it has
+/// no point yet. Nothing: it is damaged before the end of its fields. Thread: any (pure).
+[[nodiscard]] std::optional<bool> hasTaxelFields(CdrReader& cdr);
 
 /// Reads the fields of sensor_msgs/PointCloud2 after the header: float32 or float64 x, y, z, and value, or
 /// force_x, force_y, force_z; others are passed over. False: it is damaged, has other fields, more than 2^20

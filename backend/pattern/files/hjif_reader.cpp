@@ -264,12 +264,20 @@ private:
     }
 
     /// The reference encoder writes a place just before the effect as a number of 16 bits without a sign, as
-    /// 65534 for -2; the keyframe after it begins anew.
+    /// 65534 for -2; a keyframe after it begins anew. next: of the keyframe after it.
     bool isNegative(double within, const ordered_json& frames, std::size_t next) {
         constexpr double kFirst = 32'768.0;
         constexpr double kLast = 65'535.0;
-        return within >= kFirst && within <= kLast && next < frames.size() && m_band != Band::transient &&
-               ticks(m_reader.member(frames[next], "relative_position")) < kFirst;
+        if (within < kFirst || within > kLast || m_band == Band::transient)
+            return false;
+        // Several may be just before the effect.
+        constexpr std::size_t kMostWrapped = 8;
+        for (const std::size_t end = std::min(frames.size(), next + kMostWrapped); next < end; ++next) {
+            const double later = ticks(m_reader.member(frames[next], "relative_position"));
+            if (later < within)
+                return later < kFirst;
+        }
+        return false;
     }
 
     void add(Track lines) {

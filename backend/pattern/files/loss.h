@@ -31,7 +31,7 @@ enum class LossKind {
     waveform,    ///< coded wave forms
     curve,       ///< curves of displacement, of which the size is played
     clipped,     ///< intensities beyond 1
-    early,       ///< keyframes before the begin of their effect, which count from it
+    early,       ///< keyframes before the start of their effect, which count from it
     // when written
     objects,  ///< objects that are written as what they play
     steps,    ///< slopes that became steps; detail: the largest difference

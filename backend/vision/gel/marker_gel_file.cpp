@@ -74,7 +74,7 @@ void describePlane(core::Keys& keys, MarkerGelFile::Plane& plane) {
 
 } // namespace
 
-void MarkerGelFile::describeKeys(core::Keys& keys) {
+void MarkerGelFile::describeKeys(core::Keys& keys, core::Need needOfPlane) {
     keys.word("kind", "marker_gel", "A flat gel with markers in front of a camera");
     keys.text("name", name, "Name on the screen", core::Need::optional);
     keys.text("source", source, "Number of the camera, a video, or a pattern of numbered images",
@@ -114,12 +114,17 @@ void MarkerGelFile::describeKeys(core::Keys& keys) {
                     inner.whole("columns", columns, {2, 1000}, "Markers in a row, along u");
                 });
     keys.table("plane", "From the picture to the gel's surface: one of mm_per_px, homography and pitch_mm",
-               core::Need::required, [this](core::Keys& inner) { describePlane(inner, plane); });
+               needOfPlane, [this](core::Keys& inner) { describePlane(inner, plane); });
     keys.table("lens", lens, "The lens, in pixels of the cropped and flipped picture",
                [](core::Keys& inner, Lens& value) { describeLens(inner, value); });
 }
 
 namespace {
+
+struct WithoutPlane {
+    MarkerGelFile gel;
+    void describeKeys(core::Keys& keys) { gel.describeKeys(keys, core::Need::optional); }
+};
 
 /// Without any of the three keys there is no scale. The place is that of the file, as the table may be empty.
 core::Expected<MarkerGelFile> withScale(MarkerGelFile gel, const std::string& file) {
@@ -138,6 +143,12 @@ core::Expected<MarkerGelFile> readMarkerGel(const std::string& path) {
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     TELETA_TRY(MarkerGelFile gel, core::readKeys<MarkerGelFile>(document));
     return withScale(std::move(gel), path);
+}
+
+core::Expected<MarkerGelFile> readMarkerGelWithoutPlane(const std::string& path) {
+    TELETA_TRY(const auto document, core::TomlDocument::open(path));
+    TELETA_TRY(WithoutPlane file, core::readKeys<WithoutPlane>(document));
+    return std::move(file.gel);
 }
 
 core::Expected<MarkerGelFile> parseMarkerGel(std::string_view text, const std::string& file) {

@@ -45,11 +45,14 @@ struct MarkerGelFile {
     };
     std::optional<Lens> lens;
 
-    void describeKeys(core::Keys& keys);
+    void describeKeys(core::Keys& keys) { describeKeys(keys, core::Need::required); }
+    void describeKeys(core::Keys& keys, core::Need needOfPlane);
 };
 
 /// Error: notFound, badInput with file, line and column. Thread: any.
 [[nodiscard]] core::Expected<MarkerGelFile> readMarkerGel(const std::string& path);
+/// The same, where [plane] may be absent or empty: it is about to be found.
+[[nodiscard]] core::Expected<MarkerGelFile> readMarkerGelWithoutPlane(const std::string& path);
 [[nodiscard]] core::Expected<MarkerGelFile> parseMarkerGel(std::string_view text, const std::string& file);
 /// As TOML, which parseMarkerGel() reads back. Thread: any (pure).
 [[nodiscard]] std::string markerGelText(const MarkerGelFile& gel);

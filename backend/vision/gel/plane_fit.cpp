@@ -2,6 +2,7 @@
 #include "backend/vision/gel/plane_fit.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/quantile.h"
 
 #include <QCoreApplication>
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace teleta::vision {
@@ -27,8 +29,13 @@ constexpr std::size_t kFewestOfHomography = 6;
 constexpr std::size_t kFewestOfScale = 4;
 constexpr double kThinnest = 0.02; ///< smaller over larger extent of points that are not on one line
 constexpr double kShortestRuler_px = 10.0;
-constexpr double kHuber = 1.345; ///< in standard deviations; 95 % efficient for normal noise
-constexpr double kTukey = 4.685; ///< likewise
+/// The larger of both is how far a ruler may be from what all of them say.
+constexpr double kMostRulerShare = 0.05;
+constexpr double kMostRuler_px = 4.0 * kReading_px;
+/// Distances in standard deviations of one axis, where both are 95 % efficient for normal noise in two
+/// dimensions: (E[psi'(r) + psi(r) / r])^2 = 0.95 * 2 E[psi(r)^2], r as Rayleigh has it.
+constexpr double kHuber = 1.501;
+constexpr double kTukey = 5.123;
 constexpr double kNormalMad = 1.4826;
 constexpr double kLeastScatter_px = 1e-6; ///< so that exact pairs have weights
 constexpr int kHuberSteps = 15;
@@ -115,12 +122,6 @@ Derivative derivative(const Model& model, const PlaneNumbers& x, const Eigen::Ve
     return by;
 }
 
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 /// Steps of Gauss and Newton whose pairs are weighted by their distances.
 /// unit: pixels in a unit of the model's picture.
 Robust fitRobustly(const Model& model, PlaneNumbers x, const std::vector<Eigen::Vector2d>& places,
@@ -138,7 +139,7 @@ Robust fitRobustly(const Model& model, PlaneNumbers x, const std::vector<Eigen::
             sizes.push_back(std::abs(away.x()));
             sizes.push_back(std::abs(away.y()));
         }
-        const double noise = std::max(kNormalMad * medianOf(sizes), kLeastScatter_px / unit);
+        const double noise = std::max(kNormalMad * core::medianOf(sizes), kLeastScatter_px / unit);
         for (std::size_t i = 0; i < n; ++i) {
             const double r = distances[i] / noise;
             const double share = r / kTukey;
@@ -221,7 +222,7 @@ Eigen::Matrix3d homographyOf(const PlaneNumbers& x) {
 
 } // namespace
 
-core::Expected<PlaneFit> fitHomography(std::span<const PlanePair> pairs) {
+core::Expected<PlaneFit> fitHomography(std::span<const PlanePair> pairs, double shared_px) {
     TELETA_CHECK(checkPairs(pairs, kFewestOfHomography));
     const Frame placeFrame = frameOf(pairs, &PlanePair::place_m);
     const Frame pixelFrame = frameOf(pairs, &PlanePair::pixel);
@@ -272,7 +273,9 @@ core::Expected<PlaneFit> fitHomography(std::span<const PlanePair> pairs) {
         down[i] -= kStep;
         slope[i] = (scaleOf(up) - scaleOf(down)) / (2.0 * kStep);
     }
-    fit.scaleError_mPerPx = std::sqrt(std::max(0.0, slope.dot(found.covariance * slope)));
+    const double radius_px = std::sqrt(2.0) * pixelFrame.size;
+    fit.scaleError_mPerPx = std::hypot(std::sqrt(std::max(0.0, slope.dot(found.covariance * slope))),
+                                       fit.scale_mPerPx * shared_px / radius_px);
     const Eigen::Vector2d middle = (toPixel * placeFrame.middle.homogeneous()).hnormalized();
     fit.homography = settled(toPixel.inverse(), middle, fit.scale_mPerPx);
     fit.rms_px = found.rms * pixelFrame.size;
@@ -339,8 +342,16 @@ core::Expected<PlaneFit> fitRuler(std::span<const RulerReading> readings) {
         return core::refused(PlaneFitText::tr("no ruler was read"), {});
     const double pxPerM = crossed / squared;
     double residual = 0.0;
-    for (const RulerReading& reading : readings)
-        residual += std::pow((reading.to_px - reading.from_px).norm() - pxPerM * reading.length_m, 2);
+    for (const RulerReading& reading : readings) {
+        const double expected_px = pxPerM * reading.length_m;
+        const double away_px = (reading.to_px - reading.from_px).norm() - expected_px;
+        if (std::abs(away_px) > std::max(kMostRulerShare * expected_px, kMostRuler_px))
+            return core::refused(
+                PlaneFitText::tr("the rulers contradict each other: %1 mm is %2 px off")
+                    .arg(QString::number(1e3 * reading.length_m, 'g', 4), QString::number(away_px, 'f', 1)),
+                PlaneFitText::tr("lengths that agree within 5 %; a picture seen askew needs a chessboard"));
+        residual += away_px * away_px;
+    }
     const auto n = static_cast<double>(readings.size());
     // Both ends of a length are read.
     const double scatter_px =
@@ -350,7 +361,7 @@ core::Expected<PlaneFit> fitRuler(std::span<const RulerReading> readings) {
     fit.scale_mPerPx = 1.0 / pxPerM;
     fit.scaleError_mPerPx = scatter_px / std::sqrt(squared) / (pxPerM * pxPerM);
     fit.homography(0, 0) = fit.homography(1, 1) = fit.scale_mPerPx;
-    fit.rms_px = std::sqrt(residual / n);
+    fit.rms_px = n > 1.0 ? std::sqrt(residual / n) : std::numeric_limits<double>::quiet_NaN();
     fit.pairs = fit.kept = readings.size();
     return fit;
 }

@@ -23,7 +23,7 @@ struct RulerReading {
     double length_m = 0.0;
 };
 
-/// Standard deviation of a pixel that a person has read off a picture, along an axis.
+/// Standard deviation of a pixel that a person has read off a picture, along an axis: an assumption.
 inline constexpr double kReading_px = 0.5;
 
 /// How pixels become places on a plane.
@@ -34,16 +34,20 @@ struct PlaneFit {
     bool isScale = false;           ///< the same scale everywhere
     double scale_mPerPx = 0.0;      ///< root of the area of a pixel in the middle of the pattern
     double scaleError_mPerPx = 0.0; ///< its standard deviation
-    double rms_px = 0.0;            ///< distance of a pixel from where the fit has it, of those kept
+    /// Distance of a pixel from where the fit has it, of those kept; of rulers that of their lengths, and NaN
+    /// of a single one.
+    double rms_px = 0.0;
     std::size_t pairs = 0;
     std::size_t kept = 0; ///< with at least half of their weight
 };
 
 /// The homography of a plane by robust least squares in the picture (Huber, then Tukey), from a start by the
 /// linear method with normalised coordinates. Standard deviation of the scale: of noise that is independent
-/// and equal in all pairs. Error: refused: fewer than 6 pairs, all on one line, or no plane that the picture
+/// and equal in all pairs, and of shared_px, an error along the pattern's mean radius that more pairs do not
+/// make smaller. Error: refused: fewer than 6 pairs, all on one line, or no plane that the picture
 /// shows once. Thread: any (pure).
-[[nodiscard]] core::Expected<PlaneFit> fitHomography(std::span<const PlanePair> pairs);
+[[nodiscard]] core::Expected<PlaneFit> fitHomography(std::span<const PlanePair> pairs,
+                                                     double shared_px = 0.0);
 
 /// The same with one scale for the whole picture: pixel = R place / scale + t. Error: refused: fewer than 4
 /// pairs, or all on one line. Thread: any (pure).
@@ -51,7 +55,8 @@ struct PlaneFit {
 
 /// The scale by lengths that a person has read off a picture: least squares of their pixels, each end read
 /// within kReading_px, or as far as several readings differ if that is more. Error: refused: none, a length
-/// that is not above 0, ends closer than 10 px. Thread: any (pure).
+/// that is not above 0, ends closer than 10 px, lengths that contradict each other by more than 5 % and 2 px.
+/// Thread: any (pure).
 [[nodiscard]] core::Expected<PlaneFit> fitRuler(std::span<const RulerReading> readings);
 
 } // namespace teleta::vision

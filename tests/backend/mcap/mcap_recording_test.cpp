@@ -483,6 +483,47 @@ TEST_F(McapRecording, pointsOfADepthCameraAndDamagedOnesAreNoArray) {
     EXPECT_EQ(m_report->topics.at(0).bad, 3U);
 }
 
+/// The fields say what a cloud is, not its first points.
+TEST_F(McapRecording, pointsOfTaxelsMayBeginWithADamagedMessage) {
+    for (const int kind : {0, 1, 2}) {
+        const auto recording = importedFrom(
+            foreign("sensor_msgs/msg/PointCloud2", "/skin", 4, [kind](int i, std::string& bytes) {
+                std::vector<double> numbers{0.0, 0.0, 0.0, 1.0};
+                if (i == 0 && kind == 0)
+                    numbers[0] = std::numeric_limits<double>::infinity();
+                if (i == 0 && kind == 1)
+                    numbers.clear(); // no point yet
+                points(bytes, {"x", "y", "z", "value"}, numbers);
+                if (i == 0 && kind == 2)
+                    bytes.resize(bytes.size() - 90); // within the fields
+            }));
+        ASSERT_TRUE(recording) << core::describe(recording.error());
+        ASSERT_EQ(recording->streams().size(), 1U) << kind;
+        EXPECT_EQ(recording->streams()[0].kind, StreamKind::array);
+        EXPECT_EQ(m_report->topics.at(0).messages, 3U) << kind;
+        EXPECT_EQ(m_report->topics.at(0).bad, 1U) << kind;
+    }
+}
+
+TEST_F(McapRecording, numbersWithOtherNamesAreBad) {
+    const auto recording =
+        importedFrom(foreign("teleta_msgs/msg/Numbers", "/chips", 4, [](int i, std::string& bytes) {
+            CdrWriter cdr(bytes);
+            header(cdr);
+            cdr.number(std::uint32_t{2});
+            cdr.text("one");
+            cdr.text(i == 2 ? "other" : "two");
+            cdr.number(std::uint32_t{2});
+            cdr.number(1.5);
+            cdr.number(static_cast<double>(i));
+        }));
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_EQ(m_report->topics.at(0).messages, 3U);
+    EXPECT_EQ(m_report->topics.at(0).bad, 1U);
+    ASSERT_EQ(recording->streams().size(), 1U);
+    EXPECT_EQ(recording->streams()[0].columns.at(1).name, "two");
+}
+
 TEST_F(McapRecording, plainGreyImagesAreACameraUnlessAPersonSaysOtherwise) {
     const auto write = [](int i, std::string& bytes) {
         image<std::uint8_t>(bytes, 2, 2, "mono8", {1, 2, 3, static_cast<std::uint8_t>(i)});

@@ -240,6 +240,13 @@ TEST(HjifImport, placesBeforeTheirEffectThatTheReferenceEncoderWrapsCountFromIts
     EXPECT_EQ(lost(import, LossKind::early), 1U);
     EXPECT_EQ(evaluate(import->pattern, 0.458 + 0.049)[0], 0.25);
     EXPECT_EQ(import->pattern.duration_s, 0.508);
+    const auto two = readHjif(json::array(
+        {channel("VectorialWave", json::array({effect("Basis", 458,
+                                                      {keyframe(65530, 0.75), keyframe(65534, 0.75),
+                                                       keyframe(0, 0.0), keyframe(50, 0.5)})}))}));
+    ASSERT_TRUE(two) << describe(two.error());
+    EXPECT_EQ(lost(two, LossKind::early), 2U);
+    EXPECT_EQ(two->pattern.duration_s, 0.508);
     EXPECT_FALSE(readHjif(json::array({channel(
         "VectorialWave", json::array({effect("Basis", 0, {keyframe(20'000, 0.75), keyframe(0, 0.0)})}))})))
         << "the times decrease";

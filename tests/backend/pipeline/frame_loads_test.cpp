@@ -98,7 +98,16 @@ TEST_F(LoadChannel, areNotKnownWhereASignalIsNot) {
     ASSERT_NO_FATAL_FAILURE(open(kTwoTaxels));
     const auto found = loadsOf({std::nanf(""), 28.0F});
     EXPECT_TRUE(std::isnan(found.loads[0]));
-    EXPECT_TRUE(found.extrapolated);
+    EXPECT_FALSE(found.extrapolated) << "what is not known lies nowhere";
+}
+
+/// A paused source sends nothing.
+TEST_F(LoadChannel, ofTheLastFrameFollowAChangeOfTheSettings) {
+    ASSERT_NO_FATAL_FAILURE(open(kTwoTaxels, {12.0F, 22.0F}));
+    EXPECT_NEAR(loadsOf({20.0F, 28.0F}).loads[0], 0.5 * 8.0 + 0.25 * 6.0, 1e-12);
+    m_channel->clearTare();
+    m_channel->process();
+    EXPECT_NEAR(m_channel->newestLoads()->at.loads[0], 0.5 * 10.0 + 0.25 * 8.0, 1e-12);
 }
 
 TEST_F(LoadChannel, areRecordedAndExportedUnderTheNamesOfTheCommand) {

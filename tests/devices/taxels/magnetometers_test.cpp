@@ -103,6 +103,14 @@ TEST(Magnetometers, giveWholeFramesBetweenCutNoisyAndDoubledOnesAndAfterTheyWere
         ASSERT_FALSE(again.empty());
         EXPECT_EQ(again.front(), expected(40));
         ASSERT_TRUE(board.done());
+        std::vector<std::size_t> after; // an outage
+        core::TemperatureSample sample;
+        for (std::size_t n = 0; (*device)->temperatures().pop(sample); ++n)
+            if (sample.discontinuity)
+                after.push_back(n);
+        if ((*device)->chips() > 0) {
+            EXPECT_EQ(after, (std::vector<std::size_t>{13})) << "after the outage";
+        }
         both.push_back(found);
     }
     EXPECT_EQ(both[0], both[1]) << "a described AnySkin gives what the driver gives";
@@ -133,6 +141,29 @@ TEST(Magnetometers, tellTheTemperaturesOfTheirChips) {
         EXPECT_EQ(found.front(), 25.0F + static_cast<float>(first) / 64);
         EXPECT_EQ(found.back(), 25.0F + 80.0F / 64);
     }
+}
+
+/// Nobody takes them, and more come than are kept.
+TEST(Magnetometers, countTemperaturesThatAreDropped) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skin", folder.path("port"));
+    auto device = TaxelsDevice::open(test::parsed(skinOn(folder.path("port"))));
+    ASSERT_TRUE(device) << core::describe(device.error());
+    const std::size_t kept = (*device)->temperatures().capacity();
+    core::Wakeup wakeup;
+    (*device)->start(wakeup);
+    board.say("write 0-" + std::to_string(kept + 9));
+    (void)receive(**device, wakeup, kept + 10);
+    EXPECT_EQ((*device)->temperatures().overflow(), 10U);
+    core::TemperatureSample sample;
+    while ((*device)->temperatures().pop(sample))
+        EXPECT_FALSE(sample.discontinuity);
+    board.say("write 0-1");
+    (void)receive(**device, wakeup, 2);
+    ASSERT_TRUE((*device)->temperatures().pop(sample));
+    EXPECT_TRUE(sample.discontinuity) << "samples before it were dropped";
+    ASSERT_TRUE((*device)->temperatures().pop(sample));
+    EXPECT_FALSE(sample.discontinuity);
 }
 
 TEST(Magnetometers, areTakenForWarmedWhenTheirChipsMovedWhileTheyWereProbed) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/numbers/moment_unit.h"
 #include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/steady_estimate.h"
 #include "widgets/base/numbers/tabular_text.h"
 
 #include <QApplication>
@@ -138,6 +140,47 @@ private slots:
         QVERIFY(!rate.update(200.9));
         QVERIFY(!rate.update(199.2));
         QVERIFY(rate.update(198.9));
+    }
+
+    void anEstimateHasTheDecimalsOfItsError_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("error");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("usual") << 1.2346 << 0.0512 << "1.235 \u00b1 0.051";
+        QTest::newRow("small") << 0.01234 << 0.0012 << "0.0123 \u00b1 0.0012";
+        QTest::newRow("rounds up") << -1.2 << 0.0996 << "-1.20 \u00b1 0.10";
+        QTest::newRow("one") << 12.34 << 1.04 << " 12.3 \u00b1 1.0";
+        QTest::newRow("large") << 1234.0 << 150.4 << " 1234 \u00b1 150";
+        QTest::newRow("no error") << 1.5 << 0.0 << " 1.50";
+        QTest::newRow("unknown error") << 1.5 << kNaN << " 1.50";
+        QTest::newRow("undefined") << kNaN << 0.1 << "    \u2014";
+        QTest::newRow("infinite") << kInfinity << 0.1 << "    \u2014";
+    }
+    void anEstimateHasTheDecimalsOfItsError() {
+        QFETCH(double, value);
+        QFETCH(double, error);
+        QFETCH(QString, text);
+        SteadyEstimate estimate;
+        estimate.update(value, error);
+        QCOMPARE(plain(estimate.text()), text);
+    }
+
+    void anEstimateThatMovesLessThanAStepDoesNotFlicker() {
+        SteadyEstimate estimate;
+        estimate.update(1.25, 0.050);
+        estimate.update(1.2508, 0.0508);
+        QCOMPARE(plain(estimate.text()), QStringLiteral("1.250 \u00b1 0.050"));
+        estimate.update(1.2512, 0.0512);
+        QCOMPARE(plain(estimate.text()), QStringLiteral("1.251 \u00b1 0.051"));
+        estimate.update(1.2512, 0.51);
+        QCOMPARE(plain(estimate.text()), QStringLiteral(" 1.25 \u00b1 0.51"));
+    }
+
+    void momentsBelowOneNewtonmetreHaveTheSmallerUnit() {
+        QCOMPARE(momentUnit(0.999).name, QStringLiteral("mNm"));
+        QCOMPARE(momentUnit(0.999).perNm, 1e3);
+        QCOMPARE(momentUnit(1.0).name, QStringLiteral("Nm"));
+        QCOMPARE(momentUnit(kNaN).name, QStringLiteral("mNm"));
     }
 
     void figureSpacesTakeTheRoomOfADigit() {

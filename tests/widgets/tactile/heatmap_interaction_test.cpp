@@ -41,6 +41,14 @@ class HeatmapInteractionTest : public QObject {
         return m_view->layoutNow().taxelRect({row, column}).center().toPoint();
     }
 
+    /// What is painted, with plain spaces.
+    [[nodiscard]] QString header() const {
+        m_view->grab();
+        QString text = m_view->headerText();
+        return text.remove(QChar(0x2007)).replace(QChar(0xA0), QLatin1Char(' '));
+    }
+    [[nodiscard]] QString headerStart() const { return header().section(QLatin1Char(' '), 0, 0); }
+
 private slots:
     void init() {
         m_view = std::make_unique<HeatmapView>();
@@ -78,22 +86,42 @@ private slots:
     }
 
     void loadsByACalibrationHaveTheirErrors() {
-        QVERIFY(m_view->loadsText().isEmpty());
-        const auto read = [&](double force_N, double moment_Nm, bool extrapolated) {
+        m_view->resize(1600, 500);
+        QCOMPARE(headerStart(), QStringLiteral("force"));
+        const auto read = [&](double force_N, double moment_Nm, double error_N, double error_Nm) {
             pipeline::LoadReading reading{1, {"force_n", "moment_nm"}, {}};
             reading.at.loads = Eigen::Vector2d(force_N, moment_Nm);
-            reading.at.errors = Eigen::Vector2d(0.05, 0.0002);
-            reading.at.extrapolated = extrapolated;
+            reading.at.errors = Eigen::Vector2d(error_N, error_Nm);
             m_view->setLoads(reading);
-            return m_view->loadsText().remove(QChar(0x2007)).replace(QChar(0xA0), QLatin1Char(' '));
+            return header().section(QStringLiteral(", "), 0, 1);
         };
-        QCOMPARE(read(1.25, -0.003, false),
-                 QStringLiteral("load 1.25 \u00b1 0.05 N, moment \u22123.00 \u00b1 0.20 mNm"));
-        QVERIFY(read(8.0, 0.0, true).endsWith(QStringLiteral(", extrapolated")));
+        QCOMPARE(read(1.25, -0.003, 0.05, 0.0002),
+                 QStringLiteral("load 1.250 \u00b1 0.050 N, moment \u22123.00 \u00b1 0.20 mNm"));
+        QCOMPARE(read(0.0123, -2.5, 0.0012, 0.13),
+                 QStringLiteral("load 0.0123 \u00b1 0.0012 N, moment \u22122.50 \u00b1 0.13 Nm"));
         constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-        QCOMPARE(read(kNaN, kNaN, true), QStringLiteral("load \u2014 N, moment \u2014 mNm"));
+        QCOMPARE(read(kNaN, kNaN, 0.1, 0.1), QStringLiteral("load \u2014 N, moment \u2014 mNm"));
         m_view->setLoads(std::nullopt);
-        QVERIFY(m_view->loadsText().isEmpty());
+        QCOMPARE(headerStart(), QStringLiteral("force"));
+    }
+
+    void aLoadIsNeverShownWithoutItsMark() {
+        pipeline::LoadReading reading{1, {"force_n", "moment_nm"}, {}};
+        reading.at.loads = Eigen::Vector2d(8.0, 0.1);
+        reading.at.errors = Eigen::Vector2d(0.05, 0.01);
+        reading.at.extrapolated = true;
+        m_view->setLoads(reading);
+        bool wasShown = false, wasHidden = false, wasShort = false;
+        for (int width = m_view->minimumWidth(); width < 1600; width += 7) {
+            m_view->resize(width, 500);
+            const QString text = header();
+            const bool hasLoad = text.contains(QStringLiteral("load "));
+            QCOMPARE(text.contains(QStringLiteral("extrapolated")), hasLoad || text.contains("moment"));
+            wasShown = wasShown || text.contains(QStringLiteral("moment"));
+            wasShort = wasShort || (hasLoad && !text.contains(QStringLiteral("moment")));
+            wasHidden = wasHidden || !hasLoad;
+        }
+        QVERIFY(wasShown && wasShort && wasHidden);
     }
 
     void arrowKeysMoveTheReadoutAndStopAtTheBorder() {

@@ -94,6 +94,7 @@ core::Expected<void> printTable(const Calibration& calibration, double holeFacto
 class CalibrateCommand {
 public:
     void declare(CLI::App& app) {
+        m_app = &app;
         addOption(
             app, "pairs", m_pairsPath,
             CalibrateText::tr("CSV with the columns u_px,v_px,x_m,y_m,z_m, at least 6 rows; with --plane a "
@@ -130,9 +131,11 @@ public:
     [[nodiscard]] core::Expected<void> run() {
         if (m_pairsPath.empty() && !(m_plane.isWanted() && m_plane.hasRuler()))
             refuse("pairs", CalibrateText::tr("a file is needed"));
-        refuseToReplace(m_outPath, std::array{m_pairsPath});
-        if (m_plane.isWanted())
+        refuseToReplace(m_outPath, std::array{m_pairsPath, m_plane.sensorPath()});
+        if (m_plane.isWanted()) {
+            refuseOfCylinder();
             return m_plane.run(m_pairsPath, m_outPath, m_json);
+        }
         refuseToReplace(m_residualsPath, std::array{m_pairsPath}, "--residuals");
         if (!m_outPath.empty() && m_outPath == m_residualsPath)
             refuse("--residuals", CalibrateText::tr("the camera is written to this file"));
@@ -168,6 +171,14 @@ public:
     }
 
 private:
+    void refuseOfCylinder() const {
+        for (const char* option : {"--width", "--height", "--radius-mm", "--length-mm", "--hole-factor",
+                                   "--method", "--residuals"})
+            if (m_app->get_option(option)->count() > 0)
+                refuse(option, CalibrateText::tr("this is for a tactile cylinder, not for --plane"));
+    }
+
+    CLI::App* m_app = nullptr;
     std::string m_pairsPath;
     PlaneCalibration m_plane;
     vision::CalibrationSettings m_settings;

@@ -6,6 +6,7 @@
 #include "backend/vision/gel/plane_fit.h"
 
 #include <CLI/CLI.hpp>
+#include <opencv2/core.hpp>
 
 #include <string>
 #include <vector>
@@ -20,9 +21,12 @@ public:
     [[nodiscard]] bool isWanted() const { return m_wanted; }
     /// Whether a picture is needed.
     [[nodiscard]] bool hasRuler() const { return !m_rulers.empty(); }
+    /// Empty without one.
+    [[nodiscard]] const std::string& sensorPath() const { return m_sensorPath; }
 
-    /// picturePath: a picture, for markers also a video; of a ruler empty. outPath: for the lines; empty:
-    /// they are printed. Error: as the readers; badInput: the picture does not show what is looked for.
+    /// picturePath: a picture, for markers also a video; of a ruler empty or a picture of its size. outPath:
+    /// for the lines; empty: they are printed. Error: as the readers; badInput: the picture does not show
+    /// what is looked for.
     [[nodiscard]] core::Expected<void> run(const std::string& picturePath, const std::string& outPath,
                                            bool json) const;
 
@@ -32,7 +36,11 @@ private:
                                                             const std::string& picturePath) const;
     [[nodiscard]] core::Expected<vision::PlaneFit> fitMarkers(const vision::MarkerGelFile& file,
                                                               const std::string& picturePath) const;
-    [[nodiscard]] core::Expected<vision::PlaneFit> fitRulers() const;
+    [[nodiscard]] core::Expected<vision::PlaneFit> fitRulers(const vision::MarkerGelFile& file,
+                                                             const std::string& picturePath) const;
+    [[nodiscard]] std::vector<vision::RulerReading> readings() const;
+    [[nodiscard]] core::Expected<void> straighten(const vision::MarkerGelFile& file, const cv::Size& size,
+                                                  std::vector<vision::PlanePair>& pairs) const;
 
     bool m_wanted = false;
     std::string m_sensorPath;

@@ -273,8 +273,8 @@ core::Expected<FoundDevice> probeStream(const std::string& path, const std::stri
         found.values.push_back({"temperature_change", moved->change_K, "K"});
     if (probe->drift.isTold())
         found.warning =
-            DevicesText::tr("chip %1 changed its temperature by %2 K meanwhile: what the sensor reads at "
-                            "rest moves with it. Wait until it is warm")
+            DevicesText::tr("the temperature of chip %1 changed by %2 K while it was probed: what the sensor "
+                            "reads at rest moves with it. Wait until it is warm")
                 .arg(probe->drift.largest()->chip)
                 .arg(forPeople(probe->drift.largest()->change_K))
                 .toStdString();

@@ -14,14 +14,15 @@
 
 namespace teleta::test {
 
-/// A chessboard of 320 x 240 px whose first inner corner is at the origin of the plane, with a white margin.
+/// A chessboard whose first inner corner is at the origin of the plane, with a white margin.
 /// toPixel: from place (m) to pixel. noise: standard deviation of a pixel, in grey levels.
-inline cv::Mat1b drawnBoard(const Eigen::Matrix3d& toPixel, const vision::BoardSize& board, double noise) {
+inline cv::Mat1b drawnBoard(const Eigen::Matrix3d& toPixel, const vision::BoardSize& board, double noise,
+                            const cv::Size& size = {320, 240}, unsigned seed = 3) {
     constexpr int kSub = 5; ///< points of a pixel along each axis
     const Eigen::Matrix3d toPlace = toPixel.inverse();
-    std::mt19937 random(3);
+    std::mt19937 random(seed);
     std::normal_distribution<double> error(0.0, 1.0);
-    cv::Mat1b picture(240, 320);
+    cv::Mat1b picture(size);
     for (int v = 0; v < picture.rows; ++v)
         for (int u = 0; u < picture.cols; ++u) {
             double level = 0.0;

@@ -165,6 +165,12 @@ TEST(PlaneFit, takesTheScaleOfARuler) {
     ASSERT_TRUE(two);
     EXPECT_NEAR(two->scale_mPerPx, 0.02 / 505.0, 1e-15);
     EXPECT_NEAR(two->scaleError_mPerPx, 0.02 / 505.0 * std::sqrt(50.0) / std::sqrt(2.0) / 505.0, 1e-12);
+    EXPECT_TRUE(std::isnan(fit->rms_px));
+    EXPECT_NEAR(two->rms_px, 5.0, 1e-9);
+    // Half of the length by mistake.
+    const auto wrong = fitRuler(std::vector{reading, RulerReading{{0.0, 0.0}, {500.0, 0.0}, 0.01}});
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().message.find("contradict"), std::string::npos);
     EXPECT_FALSE(fitRuler({}));
     EXPECT_FALSE(fitRuler(std::vector{RulerReading{{5.0, 5.0}, {5.0, 5.0}, 0.02}}));
     EXPECT_FALSE(fitRuler(std::vector{RulerReading{{5.0, 5.0}, {500.0, 5.0}, 0.0}}));
