@@ -193,7 +193,7 @@ core::Expected<void> RunningSite::placePads(const SiteFile& file) {
     for (const SiteDevice& device : file.devices) {
         if (!device.pad)
             continue;
-        const auto place = [&](const QString& message) {
+        const auto misplaced = [&](const QString& message) {
             return core::failed(
                 core::ErrorKind::badInput,
                 RunningSiteText::tr("the frame of %1: %2").arg(QString::fromStdString(device.id), message),
@@ -205,15 +205,15 @@ core::Expected<void> RunningSite::placePads(const SiteFile& file) {
             if (joints == nullptr || !joints->chain() || !joints->chain()->model().findLink(device.pad->link))
                 continue;
             if (wearer != nullptr)
-                return place(RunningSiteText::tr("several arms have the link %1")
-                                 .arg(QString::fromStdString(device.pad->link)));
+                return misplaced(RunningSiteText::tr("several arms have the link %1")
+                                     .arg(QString::fromStdString(device.pad->link)));
             wearer = joints;
         }
         if (wearer == nullptr)
-            return place(
+            return misplaced(
                 RunningSiteText::tr("no arm has the link %1").arg(QString::fromStdString(device.pad->link)));
         if (wearer->pad())
-            return place(RunningSiteText::tr("the arm wears another array already"));
+            return misplaced(RunningSiteText::tr("the arm wears another array already"));
         core::PadPlacement pad = *device.pad;
         const auto* arm = dynamic_cast<const ros_arm::RosArm*>(&wearer->device());
         if (arm != nullptr && arm->file().touch) {
@@ -223,7 +223,7 @@ core::Expected<void> RunningSite::placePads(const SiteFile& file) {
             pad.rollPitchYaw_rad = device.pad->rollPitchYaw_rad;
         }
         if (const auto usable = pipeline::padOnLink(wearer->chain(), pad); !usable)
-            return place(QString::fromStdString(core::describe(usable.error())));
+            return misplaced(QString::fromStdString(core::describe(usable.error())));
         wearer->wearPad(pad, pipeline::framesStreamName(device.id));
     }
     return {};

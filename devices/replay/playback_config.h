@@ -24,6 +24,7 @@ struct PlaybackConfig {
 
     core::SourceDescription array;
     core::ArmDescription arm;                      ///< that wears the array
+    bool hasWrench = false;                        ///< of that arm; RecordedPlayer::open() finds out
     bool jointsAlone = false;                      ///< the stream is the arm's; there is no array
     std::optional<core::CameraDescription> camera; ///< set: the stream is a camera's, not an array's
     std::optional<Span> span;                      ///< empty: from the first frame to the last

@@ -32,10 +32,8 @@ std::unique_ptr<PlaybackOutlet> makeOutlet(const PlaybackConfig& config) {
 
 core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(RecordedConfig config) {
     TELETA_TRY(auto recording, openTeletaRecording(config));
-    const bool hasWrench = config.wrenchStream.has_value();
-    auto player = std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
-    player->m_hasWrench = hasWrench;
-    return player;
+    config.hasWrench = config.wrenchStream.has_value();
+    return std::make_shared<RecordedPlayer>(std::move(config), std::move(recording));
 }
 
 core::Expected<std::shared_ptr<RecordedPlayer>> RecordedPlayer::open(CsvConfig config) {
@@ -48,7 +46,7 @@ RecordedPlayer::RecordedPlayer(PlaybackConfig config, std::unique_ptr<PlaybackRe
     , m_recording(std::move(recording))
     , m_outlet(makeOutlet(m_config))
     , m_joints(m_config.queueJoints)
-    , m_wrenches(m_config.queueJoints)
+    , m_wrenches(m_config.hasWrench ? m_config.queueJoints : 1)
     , m_box(m_config.clock, m_config.autoplay, m_config.loop, m_config.speed)
     , m_startsQuietly(m_config.startsQuietly) {
     m_shown.set({spanOf(m_recording->extent()).first_ns});
@@ -222,8 +220,7 @@ core::Expected<void> RecordedPlayer::seekBeside(std::int64_t time_ns) {
         return {};
     // What was measured last at that time is known then.
     TELETA_CHECK(m_tracks.wrench->seek(time_ns));
-    TELETA_TRY(const std::uint64_t before, m_tracks.wrench->back(1));
-    (void)before;
+    TELETA_CHECK(m_tracks.wrench->back(1));
     return {};
 }
 

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] core::DeviceStatus jointStatus() const;
     /// Of the sensor at the arm's wrist, up to the newest joint sample; null: the recording has none.
     [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() {
-        return m_hasWrench ? &m_wrenches : nullptr;
+        return m_config.hasWrench ? &m_wrenches : nullptr;
     }
     [[nodiscard]] const PlaybackConfig& config() const { return m_config; }
     /// Blocks of the array and the joints that were skipped because they are damaged.
@@ -116,7 +116,6 @@ private:
     std::unique_ptr<PlaybackOutlet> m_outlet;
     core::BoundedQueue<core::JointSample> m_joints;
     core::BoundedQueue<core::WrenchSample> m_wrenches;
-    bool m_hasWrench = false;
     core::LatestCopy<Shown> m_shown; ///< what was played up to
     core::LatestCopy<core::Error> m_error;
     std::atomic<std::uint64_t> m_damagedBlocks{0};

@@ -101,7 +101,7 @@ private:
     std::vector<std::uint8_t> m_read;
     std::int64_t m_begin_ns = 0;       ///< of the stream
     std::int64_t m_read_ns = 0;        ///< of the newest bytes
-    std::int64_t m_lastFrame_ns = 0;   ///< or the begin of the connection
+    std::int64_t m_lastFrame_ns = 0;   ///< or the start of the connection
     std::int64_t m_due_ns = 0;         ///< of the next frame of a file
     core::Backoff m_retry;             ///< before the next attempt to connect
     bool m_ended = false;              ///< a file was played to its end

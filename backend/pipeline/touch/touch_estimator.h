@@ -90,7 +90,7 @@ struct LiveContact {
 /// located: no point, no force, no stiffness. While the arm is told to speed up or slow down, the inertia of
 /// its links is felt like a touch: what the skin does not feel is then none, and is only counted.
 ///
-/// An arm of which nobody knows where its skin is, is watched alike, but its touches are not located. A
+/// An arm whose skin has no known place is watched alike, but its touches are not located. A
 /// sample with a number that is not finite, or without one for each joint, is left out and counted. A
 /// discontinuity, or a time that runs back, ends a touch (it is recorded when it was complete) and begins the
 /// reference anew. Samples and contacts come in order of time. Thread: one. Source: TeleTA, section 2.
@@ -151,7 +151,7 @@ private:
         double complete_s = 0.0;
         double free_s = 0.0; ///< since when all joints are free again
         bool reachedWindow = false;
-        std::optional<std::int64_t> skinLeft_ns; ///< since when the skin, which felt it, feels it no more
+        std::optional<std::int64_t> skinLeft_ns; ///< since when the skin has no longer felt it
         bool accelerated = false;                ///< the arm sped up or slowed down in it, or shortly before
         bool elbowFelt = false;                  ///< the elbow is over the threshold in that sample
         std::optional<Place> place;

@@ -4,6 +4,7 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
+#include "app/cli/commands/camera/gel_frames.h"
 #include "backend/core/data/input_file.h"
 #include "backend/core/data/output_file.h"
 #include "backend/core/failure.h"
@@ -13,7 +14,6 @@
 #include "backend/vision/gel/board_corners.h"
 #include "backend/vision/gel/gel_plane.h"
 #include "backend/vision/gel/marker_gel.h"
-#include "devices/camera/video_stream.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -71,35 +71,18 @@ core::Expected<std::optional<cv::Mat1b>> stillPicture(const std::string& path, v
 /// Pictures of the gel at rest.
 core::Expected<std::vector<cv::Mat1b>> restPictures(const vision::MarkerGelFile& file,
                                                     const std::string& path) {
-    using Outcome = camera::VideoStream::Outcome;
-    std::vector<cv::Mat1b> frames;
     // What cannot be read as a whole may be a camera or a long video.
     const auto still = stillPicture(path, file.channel);
     if (still && *still) {
         const auto picture = vision::MarkerGel::picture(file, **still);
         if (!picture)
             return inFile(picture.error(), path);
-        frames.push_back(picture->clone());
-        return frames;
+        return std::vector{picture->clone()};
     }
-    TELETA_TRY(auto stream,
-               camera::VideoStream::open(path, {.channel = static_cast<camera::VideoChannel>(file.channel)}));
-    while (frames.size() < vision::MarkerGel::kReferencePictures && !interrupted()) {
-        cv::Mat1b frame;
-        double time_s = 0.0;
-        const Outcome outcome = stream.next(frame, time_s);
-        if (outcome == Outcome::ended || outcome == Outcome::gone)
-            break;
-        if (outcome != Outcome::frame)
-            continue;
-        const auto picture = vision::MarkerGel::picture(file, frame);
-        if (!picture)
-            return inFile(picture.error(), path);
-        frames.push_back(picture->clone()); // the stream may use its memory again
-    }
-    if (interrupted())
-        return core::Unexpected(interruption());
-    return frames;
+    auto first = firstGelFrames(file, path);
+    if (!first && first.error().kind == core::ErrorKind::refused)
+        return inFile(first.error(), path);
+    return first;
 }
 
 std::string numbersOf(const Eigen::Matrix3d& matrix) {

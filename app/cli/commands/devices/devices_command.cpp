@@ -2,6 +2,7 @@
 #include "app/cli/base/command_io.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
+#include "app/cli/commands/camera/gel_frames.h"
 #include "app/cli/commands/devices/device_files.h"
 #include "app/cli/commands/devices/devices_commands.h"
 #include "app/cli/commands/devices/found_device.h"
@@ -188,28 +189,6 @@ core::Expected<FoundDevice> probeCamera(const core::TomlDocument& document) {
     return found;
 }
 
-/// Frames of the gel at rest, from its camera or the beginning of a video.
-core::Expected<std::vector<cv::Mat1b>> firstFrames(const vision::MarkerGelFile& file,
-                                                   const std::string& source) {
-    using Outcome = camera::VideoStream::Outcome;
-    TELETA_TRY(auto stream, camera::VideoStream::open(
-                                source, {.rate_Hz = file.rate_Hz,
-                                         .channel = static_cast<camera::VideoChannel>(file.channel)}));
-    std::vector<cv::Mat1b> frames;
-    while (frames.size() < vision::MarkerGel::kReferencePictures && !interrupted()) {
-        cv::Mat1b frame;
-        double time_s = 0.0;
-        const Outcome outcome = stream.next(frame, time_s);
-        if (outcome == Outcome::ended || outcome == Outcome::gone)
-            break;
-        if (outcome != Outcome::frame)
-            continue;
-        TELETA_TRY(const cv::Mat1b picture, vision::MarkerGel::picture(file, frame));
-        frames.push_back(picture.clone()); // the stream may use its memory again
-    }
-    return frames;
-}
-
 core::Expected<FoundDevice> probeGel(const std::string& path) {
     TELETA_TRY(const auto file, vision::readMarkerGel(path));
     const std::string source =
@@ -228,7 +207,7 @@ core::Expected<FoundDevice> probeGel(const std::string& path) {
     if (!probe)
         return found;
     takePictures(*probe, found);
-    const auto frames = firstFrames(file, source);
+    const auto frames = firstGelFrames(file, source);
     if (!frames || frames->empty()) {
         found.error = errorOf(frames);
         return found;
