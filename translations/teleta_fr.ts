@@ -9820,8 +9820,8 @@ Run %2 --help for more.
         <translation>sans seuil, on ne sait pas quels taxels sont touchés</translation>
     </message>
     <message>
-        <source>threshold = a number in the unit of the values</source>
-        <translation>threshold = un nombre dans l’unité des valeurs</translation>
+        <source>threshold = a number in the unit of the values, above the first table</source>
+        <translation>threshold = un nombre dans l’unité des valeurs, avant la première table</translation>
     </message>
 </context>
 <context>
@@ -14769,8 +14769,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>«&#xa0;%1&#xa0;» n’est pas une liste d’octets hexadécimaux</translation>
     </message>
     <message>
-        <source>threshold = a number in the unit of the values</source>
-        <translation>threshold = un nombre dans l’unité des valeurs</translation>
+        <source>threshold = a number in the unit of the values, above the first table</source>
+        <translation>threshold = un nombre dans l’unité des valeurs, avant la première table</translation>
     </message>
     <message>
         <source>only %1 of %2 frames arrived while the tare was measured</source>

@@ -9794,8 +9794,8 @@ Run %2 --help for more.
         <translation>しきい値がないと、どのタクセルが触れられているか分かりません</translation>
     </message>
     <message>
-        <source>threshold = a number in the unit of the values</source>
-        <translation>threshold = 値の単位での数</translation>
+        <source>threshold = a number in the unit of the values, above the first table</source>
+        <translation>threshold = 値の単位での数 (最初の表より前)</translation>
     </message>
 </context>
 <context>
@@ -14731,8 +14731,8 @@ Run teleta-site --help for more.
         <translation>「%1」は16進数のバイトのリストではありません</translation>
     </message>
     <message>
-        <source>threshold = a number in the unit of the values</source>
-        <translation>threshold = 値の単位での数</translation>
+        <source>threshold = a number in the unit of the values, above the first table</source>
+        <translation>threshold = 値の単位での数 (最初の表より前)</translation>
     </message>
     <message>
         <source>only %1 of %2 frames arrived while the tare was measured</source>

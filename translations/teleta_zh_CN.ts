@@ -9794,8 +9794,8 @@ Run %2 --help for more.
         <translation>没有阈值就无法知道哪些触觉单元被触碰</translation>
     </message>
     <message>
-        <source>threshold = a number in the unit of the values</source>
-        <translation>threshold = 以数值的单位表示的数</translation>
+        <source>threshold = a number in the unit of the values, above the first table</source>
+        <translation>threshold = 以数值的单位表示的数，写在第一个表之前</translation>
     </message>
 </context>
 <context>
@@ -14731,8 +14731,8 @@ Run teleta-site --help for more.
         <translation>“%1”不是十六进制字节列表</translation>
     </message>
     <message>
-        <source>threshold = a number in the unit of the values</source>
-        <translation>threshold = 以数值的单位表示的数</translation>
+        <source>threshold = a number in the unit of the values, above the first table</source>
+        <translation>threshold = 以数值的单位表示的数，写在第一个表之前</translation>
     </message>
     <message>
         <source>only %1 of %2 frames arrived while the tare was measured</source>

@@ -336,7 +336,7 @@ void describeWebAddress(Keys& keys, std::string& url, std::string_view about, Ne
 
 void refuseWithoutThreshold(Keys& keys) {
     refuse(keys, "threshold", TaxelsText::tr("without a threshold it is not known which taxels are touched"),
-           TaxelsText::tr("threshold = a number in the unit of the values"));
+           TaxelsText::tr("threshold = a number in the unit of the values, above the first table"));
 }
 
 void describeFrame(Keys& keys, FrameFormat& format, std::size_t perGroup) {

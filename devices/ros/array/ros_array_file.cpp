@@ -43,7 +43,8 @@ RosArrayFile read(core::TomlTable& root) {
         root.fail(
             "threshold",
             ArrayFileText::tr("without a threshold it is not known which taxels are touched").toStdString(),
-            ArrayFileText::tr("threshold = a number in the unit of the values").toStdString());
+            ArrayFileText::tr("threshold = a number in the unit of the values, above the first table")
+                .toStdString());
     file.threshold = root.number("threshold", NumberRange::positive(), file.threshold);
     file.rate_Hz = root.number("rate_Hz", NumberRange::between(0.0, 1e5), file.rate_Hz);
     file.domain = ros_arm::readRos(root).value_or(dds::DomainConfig());
