@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/stiffness/touch_pattern.h"
 
+#include "backend/core/quantile.h"
 #include "backend/stiffness/compliance_line.h"
 #include "backend/stiffness/residual_pattern.h"
 
@@ -44,6 +45,7 @@ public:
             return m_pattern;
         examineRise();
         examineJumps();
+        examineFalls();
         examineTurns();
         examineHold();
         examineUnloading();
@@ -80,6 +82,24 @@ private:
             jumps += at(i).torque_Nm - at(i - 1).torque_Nm - elastic_Nm < -limit_Nm ? 1 : 0;
         }
         m_pattern.stickSlip = jumps >= kJumps;
+    }
+
+    /// A torque that falls back in the middle of the rise is the arm's own: its motion faltered or a joint
+    /// slipped. Where it falls out of the window, the rise seems to begin after it.
+    void examineFalls() {
+        constexpr double kFall_sd = 8.0;
+        constexpr double kFall = 0.25; ///< of the window
+        std::vector<double> changes_Nm;
+        for (std::size_t i = m_contact + 1; i < m_touch.end; ++i)
+            changes_Nm.push_back(std::abs(at(i).torque_Nm - at(i - 1).torque_Nm));
+        // Of normal noise half of the differences are smaller than 0.674 times their standard deviation.
+        const double sd_Nm = core::medianOf(changes_Nm) / 0.6745 / std::sqrt(2.0);
+        const double limit_Nm = std::max(kFall * m_window.width_Nm(), kFall_sd * sd_Nm);
+        double summit_Nm = at(m_contact).torque_Nm;
+        for (std::size_t i = m_contact; i < m_touch.end; ++i) {
+            summit_Nm = std::max(summit_Nm, at(i).torque_Nm);
+            m_pattern.stickSlip = m_pattern.stickSlip || summit_Nm - at(i).torque_Nm > limit_Nm;
+        }
     }
 
     /// Samples of forward and of backward motion have another torque at the same angle when there is play.

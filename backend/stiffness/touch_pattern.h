@@ -23,7 +23,8 @@ struct TouchPattern {
 /// What pattern a touch has.
 ///   rate dependence   the torque over angle of the whole rise flattens by more than a tenth; or the torque
 ///                     decays while the joint stands still; or unloading has another slope than loading
-///   stick-slip        the torque jumps twice or more; or differs between forward and backward motion
+///   stick-slip        the torque jumps twice or more; or falls back by a quarter of the window in the rise;
+///                     or differs between forward and backward motion
 /// Each only where it is over 3.5 to 4 standard errors of the noise. touch: with a rise of 20 samples or
 /// more, else nothing is seen; contact: index of the first sample of the contact, at most touch.first;
 /// noise_Nm: standard deviation of the torque about a line, inflation: varianceInflation() of it;

@@ -15,7 +15,7 @@ enum class TouchWarning {
     torqueDrift,     ///< the torque of the free joint changes; the change was taken off
     nonlinear,       ///< the object becomes stiffer or softer within the window
     rateDependent,   ///< the force depends on how quickly the object is pressed
-    stickSlip,       ///< the torque jumps, or the joint has play where it turns round
+    stickSlip,       ///< the torque jumps or falls back, or the joint has play where it turns round
 };
 
 /// All of them, in the order in which they are told. Thread: any.
