@@ -73,7 +73,7 @@ core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, con
     std::optional<WrenchReaders> wrench;
     if (file.wrench) {
         TELETA_TRY(auto opened, WrenchReaders::open(participant, *file.wrench, kReaderDepth));
-        readers.insert(readers.end(), {opened.wrench.guid(), opened.frames.guid()});
+        readers.insert(readers.end(), {opened.wrench.guid(), opened.frames.guid(), opened.moving.guid()});
         wrench.emplace(std::move(opened));
     }
     std::optional<NodeAnnouncement> announcement;
@@ -295,7 +295,7 @@ QString RosArm::problemOf(const RosArmState& state) const {
                    ? RosArmText::tr("%1 reports no force, so force_stop_N cannot work")
                          .arg(QString::fromStdString(m_file.wrench->topic))
                    : RosArmText::tr("%1 reports a force in the frame %2, which neither the description nor "
-                                    "/tf_static has")
+                                    "/tf has")
                          .arg(QString::fromStdString(m_file.wrench->topic),
                               QString::fromStdString(m_wrench->unknownFrame()));
     if (!state.lacking.empty())

@@ -15,7 +15,7 @@
 namespace teleta::ros_arm {
 
 /// What a WrenchWatch is told: the messages of a sensor of force and torque, and the frames that hang on the
-/// robot. Thread: one.
+/// robot, still or moving. Thread: one.
 struct WrenchReaders {
     static constexpr int kMostFramesAtOnce = 100; ///< as ROS keeps of /tf_static
 
@@ -28,14 +28,20 @@ struct WrenchReaders {
         TELETA_TRY(auto hung,
                    dds::Reader<ros::TFMessage>::open(participant, ros::ddsTopicOf("/tf_static"),
                                                      ros::kLatchedReader.withDepth(kMostFramesAtOnce)));
-        return WrenchReaders{std::move(forces), std::move(hung)};
+        TELETA_TRY(auto moving,
+                   dds::Reader<ros::TFMessage>::open(participant, ros::ddsTopicOf("/tf"),
+                                                     ros::kSensorReader.withDepth(kMostFramesAtOnce)));
+        return WrenchReaders{std::move(forces), std::move(hung), std::move(moving)};
     }
 
     /// Gives frames to the watch, then each message; taken() is called after each of them.
     template <typename Taken>
     void take(WrenchWatch& watch, const Taken& taken) {
         (void)frames.take(
-            [&watch](const ros::TFMessage& message, const dds::SampleInfo&) { watch.take(message); });
+            [&watch](const ros::TFMessage& message, const dds::SampleInfo&) { watch.takeFixed(message); });
+        (void)moving.take([&watch](const ros::TFMessage& message, const dds::SampleInfo&) {
+            watch.takeMoving(message, core::steadyNow_ns());
+        });
         (void)wrench.take([&](const ros::WrenchStamped& message, const dds::SampleInfo&) {
             const std::int64_t read_ns = core::steadyNow_ns();
             watch.take(message, read_ns);
@@ -44,7 +50,8 @@ struct WrenchReaders {
     }
 
     dds::Reader<ros::WrenchStamped> wrench;
-    dds::Reader<ros::TFMessage> frames;
+    dds::Reader<ros::TFMessage> frames; ///< of /tf_static
+    dds::Reader<ros::TFMessage> moving; ///< of /tf
 };
 
 } // namespace teleta::ros_arm

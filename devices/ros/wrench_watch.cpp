@@ -16,9 +16,16 @@ WrenchWatch::WrenchWatch(const RosWrenchFile& file, std::shared_ptr<const arm_mo
     , m_timeout_ns(std::llround(file.timeout_s * 1e9)) {
 }
 
-void WrenchWatch::take(const ros::TFMessage& message) {
-    m_frames.take(message);
+void WrenchWatch::takeFixed(const ros::TFMessage& message) {
+    m_frames.takeFixed(message);
     if (!m_lastFrame.empty())
+        findPlace();
+}
+
+void WrenchWatch::takeMoving(const ros::TFMessage& message, std::int64_t read_ns) {
+    m_frames.takeMoving(message, read_ns);
+    // Most of /tf tells where links are, which the joints tell sooner.
+    if (!m_lastFrame.empty() && (!m_place || m_place->read_ns))
         findPlace();
 }
 
@@ -35,6 +42,10 @@ void WrenchWatch::take(const ros::WrenchStamped& message, std::int64_t read_ns) 
         m_lastFrame = std::move(frame);
         findPlace();
         m_isNew = false; // what came before has other axes
+    }
+    if (m_place && !m_place->isKnown(read_ns)) {
+        m_place.reset();
+        m_unknownFrame = m_lastFrame;
     }
     const auto& force = message.wrench.force;
     m_force_N = m_sign * Eigen::Vector3d(force.x, force.y, force.z);

@@ -5,7 +5,7 @@
 #include "backend/core/device/arm_device.h"
 #include "backend/ros/messages.h"
 #include "devices/ros/files/ros_wrench_file.h"
-#include "devices/ros/static_frames.h"
+#include "devices/ros/frame_tree.h"
 
 #include <Eigen/Core>
 
@@ -23,13 +23,16 @@ public:
     WrenchWatch(const RosWrenchFile& file, std::shared_ptr<const arm_model::SerialChain> chain);
 
     /// Takes frames of /tf_static, in which messages may be.
-    void take(const ros::TFMessage& message);
+    void takeFixed(const ros::TFMessage& message);
+    /// The same of /tf, read at this steady time.
+    void takeMoving(const ros::TFMessage& message, std::int64_t read_ns);
     /// Takes a message that was read at this steady time (not decreasing).
     void take(const ros::WrenchStamped& message, std::int64_t read_ns);
 
     /// The strongest force on the arm since the last call, or else the newest, along the axes of its base, N;
     /// not finite where the sensor says so. Nothing: none came within the file's time, or the newest is in a
-    /// frame that neither the arm's description nor /tf_static has. q: of the arm's joints.
+    /// frame that neither the arm's description nor /tf_static has, nor /tf within the last second. q: of the
+    /// arm's joints.
     [[nodiscard]] std::optional<Eigen::Vector3d> takeForce_Base_N(const core::JointVector& q,
                                                                   std::int64_t now_ns);
 
@@ -57,9 +60,9 @@ private:
     double m_stamp_s = 0.0;
     Eigen::Vector3d m_strongest_N = Eigen::Vector3d::Zero();
     bool m_isNew = false; ///< m_strongest_N is since the last call
-    StaticFrames m_frames;
-    std::string m_lastFrame;                    ///< of m_place
-    std::optional<StaticFrames::Place> m_place; ///< nothing: not known
+    FrameTree m_frames;
+    std::string m_lastFrame;                 ///< of m_place
+    std::optional<FrameTree::Place> m_place; ///< nothing: not known
     std::string m_unknownFrame;
     std::uint64_t m_messages = 0;
 };

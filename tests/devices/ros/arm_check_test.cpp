@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm_model/urdf_reader.h"
 #include "devices/ros/arm_chain.h"
-#include "devices/ros/arm_check.h"
+#include "devices/ros/check/arm_check.h"
 
 #include <gtest/gtest.h>
 
@@ -161,6 +161,27 @@ TEST(ArmCheck, aForceSensorHasToTellSmallForcesInTime) {
     EXPECT_NE(texts(FindingLevel::problem).find("ft_sensor"), std::string::npos);
     file.limits.forceStop_N.reset();
     EXPECT_NE(texts(FindingLevel::note), "") << "nothing depends on it";
+}
+
+TEST(ArmCheck, aTipThatIsNotWhereTheRobotHasItBelongsToAnotherDescription) {
+    ArmObservation seen = goodArm();
+    const auto texts = [&](FindingLevel level) {
+        return textsOf(findingsOf(fileOf(), sevenJoints(), seen), "frames", level);
+    };
+    EXPECT_EQ(texts(FindingLevel::good) + texts(FindingLevel::note) + texts(FindingLevel::problem), "")
+        << "not every robot has frames";
+    seen.frames.messages = 100;
+    EXPECT_EQ(texts(FindingLevel::note), "/tf does not lead from base_link to tool0;");
+    seen.frames.connected = true;
+    EXPECT_EQ(texts(FindingLevel::note), "/tf has no pose of the time of a joint sample;");
+    seen.frames.compared = 90;
+    seen.frames.farthest_m = 0.0002;
+    EXPECT_EQ(texts(FindingLevel::good), "the tip is where /tf has it: 0.2 mm and 0° off at most;");
+    seen.frames.farthest_m = 0.004;
+    EXPECT_EQ(texts(FindingLevel::note), "the tip is not where /tf has it: 4 mm and 0° off at most;");
+    seen.frames.largestTurn_rad = 0.1;
+    EXPECT_EQ(texts(FindingLevel::problem), "the tip is not where /tf has it: 4 mm and 5.73° off at most; the "
+                                            "description is another robot's, or a joint has another zero;");
 }
 
 TEST(ArmCheck, moveItServoIsForSitesOnly) {

@@ -3,6 +3,7 @@
 // sum.
 #include "backend/arm_model/urdf_reader.h"
 #include "devices/ros/wrench_watch.h"
+#include "tests/devices/ros/told_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +11,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <span>
+#include <optional>
 #include <string>
-#include <type_traits>
+#include <utility>
 
 namespace teleta::ros_arm {
 namespace {
@@ -49,16 +50,16 @@ public:
         watch.take(message, time_ns);
     }
     /// quaternion: w, x, y, z.
+    /// moving_ns: when it was read, of /tf; nothing: of /tf_static.
     void hang(std::string frame, std::string parent, const std::array<double, 3>& p_m,
-              const std::array<double, 4>& quaternion) {
-        std::array<std::remove_pointer_t<decltype(ros::TFMessage{}.transforms._buffer)>, 1> transforms{};
-        transforms[0].header.frame_id = parent.data();
-        transforms[0].child_frame_id = frame.data();
-        transforms[0].transform.translation = {p_m[0], p_m[1], p_m[2]};
-        transforms[0].transform.rotation = {quaternion[1], quaternion[2], quaternion[3], quaternion[0]};
-        ros::TFMessage message{};
-        ros::lend(message.transforms, std::span(transforms));
-        watch.take(message);
+              const std::array<double, 4>& quaternion, std::optional<std::int64_t> moving_ns = {}) {
+        test::tellFrames({{std::move(frame), std::move(parent), p_m, quaternion}},
+                         [&](const ros::TFMessage& message) {
+                             if (moving_ns)
+                                 watch.takeMoving(message, *moving_ns);
+                             else
+                                 watch.takeFixed(message);
+                         });
     }
     WrenchWatch watch;
 };
@@ -144,6 +145,30 @@ TEST(WrenchWatch, findsAFrameThatHangsOnALink) {
     wrist.hang("mount", "sensor", {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0});
     EXPECT_FALSE(wrist.watch.atTip(q));
     EXPECT_EQ(wrist.watch.unknownFrame(), "sensor");
+}
+
+/// A sensor behind a tool changer that turns: /tf says how far.
+TEST(WrenchWatch, followsAFrameThatMovesAndForgetsItWhenNothingMoreIsReported) {
+    Wrist wrist;
+    const core::JointVector q{0.0, 0.0};
+    const std::array<double, 4> straight{1.0, 0.0, 0.0, 0.0};
+    const std::array<double, 4> quarter{std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};
+    wrist.hang("changer", "tool0", {0.0, 0.0, 0.05}, straight, 0);
+    wrist.hang("sensor", "changer", {0.0, 0.0, 0.05}, straight);
+    wrist.tell(1.0, 0.0, 0.0, 10 * kMs, "sensor");
+    ASSERT_TRUE(wrist.watch.atTip(q));
+    EXPECT_NEAR(wrist.watch.atTip(q)->force_N[0], 1.0, 1e-12);
+    wrist.hang("changer", "tool0", {0.0, 0.0, 0.05}, quarter, 900 * kMs);
+    EXPECT_NEAR(wrist.watch.atTip(q)->force_N[1], 1.0, 1e-12);
+    wrist.tell(1.0, 0.0, 0.0, 1900 * kMs, "sensor");
+    EXPECT_TRUE(wrist.watch.takeForce_Base_N(q, 1900 * kMs));
+    wrist.tell(1.0, 0.0, 0.0, 1901 * kMs, "sensor");
+    EXPECT_FALSE(wrist.watch.takeForce_Base_N(q, 1901 * kMs)) << "nobody knows where the changer is";
+    EXPECT_EQ(wrist.watch.unknownFrame(), "sensor");
+    wrist.hang("changer", "tool0", {0.0, 0.0, 0.05}, straight, 1902 * kMs);
+    wrist.tell(1.0, 0.0, 0.0, 1903 * kMs, "sensor");
+    EXPECT_TRUE(wrist.watch.takeForce_Base_N(q, 1903 * kMs));
+    EXPECT_EQ(wrist.watch.unknownFrame(), "");
 }
 
 TEST(WrenchWatch, doesNotKnowAnOldForceOrOneOfAnUnknownFrame) {

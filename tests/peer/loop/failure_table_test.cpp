@@ -40,6 +40,7 @@ constexpr double kPoints_s = 0.04 + kBraking_s; ///< T1 + Tb
 constexpr double kLease_s = 0.1;
 constexpr double kLoopLimit_s = 0.5;
 constexpr double kWay_s = test::kLinkDelay_s;
+constexpr std::chrono::milliseconds kLateSite{80};
 constexpr double kSetpoint_rad = 1e-4;
 constexpr double kRest_rad = 1e-3;
 
@@ -55,11 +56,14 @@ protected:
         /// The time counts from the newest trajectory that came to the robot.
         bool fromCommand = false;
         std::optional<Mode> mode = {}; ///< of the site, as the viewer sees it afterwards
+        /// While the arm moves, before the time counts.
+        Act before = {};
     };
 
     void begin() {
         m_intruder.reset();
         m_console.reset();
+        m_second.reset();
         m_viewer.reset();
         m_site.reset();
         m_robot.reset();
@@ -114,6 +118,25 @@ protected:
         EXPECT_TRUE(m_robot->waitFor("done")) << line;
     }
 
+    /// Another operator takes the control that the first one has lost. What the first one sends from then on
+    /// is of an old epoch.
+    void takePlace() {
+        m_second = join("console2");
+        m_second->say("request");
+        EXPECT_TRUE(eventually([this] { return tell(*m_second)["controls"].get<bool>(); }));
+    }
+    /// Another operator presses without having asked for control.
+    void pressWithoutControl() {
+        m_second = join("console2");
+        m_second->say("press " + std::to_string(kRate_radPerS));
+    }
+    /// The site does nothing for so long.
+    void delaySite(std::chrono::milliseconds time) {
+        m_site->send(SIGSTOP);
+        std::this_thread::sleep_for(time);
+        m_site->send(SIGCONT);
+    }
+
     template <typename Holds>
     static bool eventually(const Holds& holds, double longest_s = 10.0) {
         for (const std::int64_t from_ns = core::steadyNow_ns();
@@ -156,6 +179,8 @@ protected:
             if (IsSkipped() || HasFatalFailure())
                 return;
             ASSERT_TRUE(moves()) << row.failure;
+            if (row.before)
+                row.before();
             const std::int64_t failed_ns = core::steadyNow_ns();
             row.fails();
             std::this_thread::sleep_for(1500ms);
@@ -194,6 +219,7 @@ protected:
 
     std::unique_ptr<LinkProgram> m_robot;
     std::unique_ptr<LinkProgram> m_console;
+    std::unique_ptr<LinkProgram> m_second; ///< another operator's
     std::unique_ptr<LinkProgram> m_viewer;
     std::unique_ptr<test::RobotLog> m_log;
     std::unique_ptr<peer::DdsNode> m_intruder;
@@ -220,6 +246,15 @@ TEST_F(Failures, theArmRestsWhateverFails) {
          Mode::free},
         {"console frozen, goes on after 3 s", kWay_s + kLease_s + kPoints_s, ofConsole(SIGSTOP),
          after(1500ms, ofConsole(SIGCONT))},
+        {"console frozen, another one in control when it goes on", kWay_s + kLease_s + kPoints_s,
+         ofConsole(SIGSTOP),
+         [this] {
+             takePlace();
+             m_console->send(SIGCONT);
+         },
+         false, Mode::held},
+        {"console killed, another one presses without control", kWay_s + kLease_s + kPoints_s,
+         ofConsole(SIGKILL), [this] { pressWithoutControl(); }, false, Mode::free},
         {"view of the console frozen", kWay_s + 0.2 + kBraking_s, [this] { m_console->say("freeze"); }},
         {"link cut, back after 3 s", kWay_s + kLease_s + kPoints_s, [&] { setBoth(cut); },
          after(1500ms, [&] { setBoth(usual); })},
@@ -233,6 +268,18 @@ TEST_F(Failures, theArmRestsWhateverFails) {
          [&] { setBoth(usual); }},
         {"site killed", kPoints_s, ofSite(SIGKILL), {}, true},
         {"site frozen, goes on after 2.5 s", kPoints_s, ofSite(SIGSTOP), after(1s, ofSite(SIGCONT)), true},
+        {"site late by 80 ms for the third time",
+         1e-3 * kLateSite.count() + 0.01 + kBraking_s,
+         [this] { delaySite(kLateSite); },
+         {},
+         false,
+         Mode::fault,
+         [this] {
+             for (int late = 0; late < 2; ++late) {
+                 delaySite(kLateSite);
+                 std::this_thread::sleep_for(500ms);
+             }
+         }},
         {"joint states silent, back after 1.5 s", kLease_s + kPoints_s, fault("silent"), fault("none")},
         {"joint position not a number", 0.01 + kBraking_s, fault("nan"), {}, false, Mode::fault},
         {"joint jumps by 0.5 rad", 0.01 + kBraking_s, fault("jump"), {}, false, Mode::fault},

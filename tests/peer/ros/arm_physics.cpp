@@ -83,8 +83,10 @@ double massOf(const XMLElement* link) {
 /// What the file tells, after everything that MuJoCo is not to look at is taken out.
 struct Description {
     std::vector<std::string> joints;
-    std::vector<FixedFrame> fixedFrames;
+    std::vector<LinkFrame> fixedFrames;
+    std::vector<std::string> movingLinks;
     std::string lastLink;
+    std::string root;
     std::set<std::string> links;
 };
 
@@ -94,11 +96,13 @@ Description prepare(XMLDocument& urdf) {
         throw std::runtime_error("the URDF has no <robot>");
     Description result;
     std::set<std::string> moving;
+    std::set<std::string> children;
     for (XMLElement* joint = robot->FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint")) {
         if (joint->FirstChildElement("mimic") != nullptr)
             throw std::runtime_error("joints with <mimic> are not played");
         const std::string child = attribute(joint->FirstChildElement("child"), "link");
+        children.insert(child);
         if (attribute(joint, "type") == "fixed") {
             const XMLElement* origin = joint->FirstChildElement("origin");
             result.fixedFrames.push_back({attribute(joint->FirstChildElement("parent"), "link"), child,
@@ -107,6 +111,7 @@ Description prepare(XMLDocument& urdf) {
         } else {
             result.joints.push_back(attribute(joint, "name"));
             moving.insert(child);
+            result.movingLinks.push_back(child);
         }
     }
     for (XMLElement* link = robot->FirstChildElement("link"); link != nullptr;
@@ -116,6 +121,8 @@ Description prepare(XMLDocument& urdf) {
                 link->DeleteChild(shape);
         result.lastLink = attribute(link, "name");
         result.links.insert(result.lastLink);
+        if (children.count(result.lastLink) == 0)
+            result.root = result.lastLink;
         if (moving.count(result.lastLink) != 0 && !(massOf(link) > 0)) {
             while (XMLElement* nothing = link->FirstChildElement("inertial"))
                 link->DeleteChild(nothing);
@@ -369,6 +376,8 @@ void ArmPhysics::load(const std::string& urdf, bool withPad, const std::vector<S
     const Description description = prepare(document);
     m_joints = description.joints;
     m_fixedFrames = description.fixedFrames;
+    m_movingLinks = description.movingLinks;
+    m_root = description.root;
     if (m_tip.empty())
         m_tip = description.lastLink;
     if (description.links.count(m_tip) == 0)
@@ -419,6 +428,18 @@ void ArmPhysics::step(std::span<const double> velocity_radPerS) {
                                           -kStrongest_Nm, kStrongest_Nm) -
                                kDamping_NmsPerRad * after_radPerS[i] -
                                kArmature_kgm2 * (after_radPerS[i] - before_radPerS[i]) / kStep_s;
+}
+
+std::vector<LinkFrame> ArmPhysics::movingFrames() {
+    mj_kinematics(m_model.get(), m_data.get()); // a step leaves them where they were before it
+    std::vector<LinkFrame> frames;
+    for (const std::string& link : m_movingLinks) {
+        const int body = found(m_model.get(), mjOBJ_BODY, link);
+        const mjtNum* p = &m_data->xpos[3 * body];
+        const mjtNum* q = &m_data->xquat[4 * body];
+        frames.push_back({m_root, link, {p[0], p[1], p[2]}, {q[1], q[2], q[3], q[0]}});
+    }
+    return frames;
 }
 
 std::vector<double> ArmPhysics::position_rad() const {

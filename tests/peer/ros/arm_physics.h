@@ -10,8 +10,8 @@
 
 namespace teleta::peer {
 
-/// Where a fixed joint of a URDF puts its link: metres; quaternion x, y, z, w.
-struct FixedFrame {
+/// Where a link is in another one: metres; quaternion x, y, z, w.
+struct LinkFrame {
     std::string parent;
     std::string child;
     std::array<double, 3> position_m{};
@@ -49,7 +49,9 @@ public:
 
     /// The movable joints in the order of the file.
     [[nodiscard]] const std::vector<std::string>& joints() const { return m_joints; }
-    [[nodiscard]] const std::vector<FixedFrame>& fixedFrames() const { return m_fixedFrames; }
+    [[nodiscard]] const std::vector<LinkFrame>& fixedFrames() const { return m_fixedFrames; }
+    /// Where the links are that joints move, in the root of the tree, which stands in the world's origin.
+    [[nodiscard]] std::vector<LinkFrame> movingFrames();
     [[nodiscard]] const std::string& tip() const { return m_tip; }
 
     /// Puts the arm there, at rest.
@@ -89,7 +91,9 @@ private:
     std::unique_ptr<mjModel, DeleteModel> m_model;
     std::unique_ptr<mjData, DeleteData> m_data;
     std::vector<std::string> m_joints;
-    std::vector<FixedFrame> m_fixedFrames;
+    std::vector<LinkFrame> m_fixedFrames;
+    std::vector<std::string> m_movingLinks;
+    std::string m_root;
     std::string m_tip;
     std::vector<int> m_positions;  ///< of each joint in qpos
     std::vector<int> m_velocities; ///< in qvel

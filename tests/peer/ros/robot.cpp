@@ -244,6 +244,8 @@ void Robot::tell(std::int64_t step) {
         stamp_ns -= 2'000'000'000;
     if (has("zero-stamp"))
         stamp_ns = 0;
+    if (m_options.frames)
+        counted(m_topics.tellFrames(m_arm.movingFrames(), stamp_ns));
     if (counted(m_topics.tellJoints(joints, stamp_ns)))
         m_counts["joint_states"] = m_counts["joint_states"].get<int>() + 1;
 }

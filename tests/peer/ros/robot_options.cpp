@@ -138,6 +138,7 @@ RobotOptions readOptions(int argc, char** argv) {
            "--torque-sensors", options.torqueSensors,
            "Tell effort as sensors behind the gears feel it, without friction and inertia of the motors")
         ->excludes("--effort-with-gravity");
+    app.add_flag("--tf", options.frames, "Tell where the moving links are on /tf, with each joint state");
     app.add_flag("--pad", options.pad, "A pad of 14 x 6 touch sensors on /pad/tactile");
     app.add_option("--pad-rate", options.padRate_Hz, "Frames of the pad a second; a divisor of 1000")
         ->check(CLI::Range(1.0, 1000.0))

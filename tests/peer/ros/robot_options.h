@@ -35,6 +35,7 @@ struct RobotOptions {
     bool effortWithGravity = false;
     bool torqueSensors = false;
     bool pad = false;
+    bool frames = false; ///< on /tf
     double padRate_Hz = 100;
     std::vector<SoftObject> objects;
     double effortNoise_Nm = 0;

@@ -33,11 +33,11 @@ geometry_msgs::msg::Vector3 vectorOf(double x, double y, double z) {
     return vector;
 }
 
-tf2_msgs::msg::TFMessage transformsOf(const std::vector<FixedFrame>& frames) {
+tf2_msgs::msg::TFMessage transformsOf(const std::vector<LinkFrame>& frames, std::int64_t stamp_ns) {
     tf2_msgs::msg::TFMessage message;
-    for (const FixedFrame& frame : frames) {
+    for (const LinkFrame& frame : frames) {
         geometry_msgs::msg::TransformStamped one;
-        one.header(headerOf(0, frame.parent));
+        one.header(headerOf(stamp_ns, frame.parent));
         one.child_frame_id(frame.child);
         one.transform().translation(vectorOf(frame.position_m[0], frame.position_m[1], frame.position_m[2]));
         one.transform().rotation().x(frame.rotation_xyzw[0]);
@@ -61,11 +61,13 @@ RobotTopics::RobotTopics(const RobotOptions& options, const std::string& urdf, c
     description->write(&text);
     dds::DataWriter* fixed =
         m_node.write("/tf_static", dds::TypeSupport(new tf2_msgs::msg::TFMessagePubSubType), kLatched);
-    tf2_msgs::msg::TFMessage transforms = transformsOf(arm.fixedFrames());
+    tf2_msgs::msg::TFMessage transforms = transformsOf(arm.fixedFrames(), 0);
     fixed->write(&transforms);
 
     m_wrench =
         m_node.write("/ft/wrench", dds::TypeSupport(new geometry_msgs::msg::WrenchStampedPubSubType), {});
+    if (options.frames)
+        m_frames = m_node.write("/tf", dds::TypeSupport(new tf2_msgs::msg::TFMessagePubSubType), {});
     if (options.pad)
         m_pad = m_node.write("/pad/tactile", dds::TypeSupport(new std_msgs::msg::Float64MultiArrayPubSubType),
                              {});
@@ -109,6 +111,13 @@ bool RobotTopics::tellWrench(const std::array<double, 6>& wrench, std::int64_t s
     message.wrench().force(vectorOf(wrench[0], wrench[1], wrench[2]));
     message.wrench().torque(vectorOf(wrench[3], wrench[4], wrench[5]));
     return m_wrench->write(&message);
+}
+
+bool RobotTopics::tellFrames(const std::vector<LinkFrame>& frames, std::int64_t stamp_ns) {
+    if (m_frames == nullptr)
+        return true;
+    tf2_msgs::msg::TFMessage message = transformsOf(frames, stamp_ns);
+    return m_frames->write(&message);
 }
 
 bool RobotTopics::tellPad(const std::vector<double>& taxels_N) {

@@ -41,6 +41,7 @@ public:
     /// False when Fast DDS did not take it.
     bool tellJoints(const JointTelling& joints, std::int64_t stamp_ns);
     bool tellWrench(const std::array<double, 6>& wrench, std::int64_t stamp_ns);
+    bool tellFrames(const std::vector<LinkFrame>& frames, std::int64_t stamp_ns);
     bool tellPad(const std::vector<double>& taxels_N);
     /// Replaces the writer of joint states by one of other QoS.
     void tellJointsAs(bool reliable);
@@ -70,6 +71,7 @@ private:
     eprosima::fastdds::dds::DataWriter* m_joints = nullptr;
     eprosima::fastdds::dds::DataWriter* m_wrench = nullptr;
     eprosima::fastdds::dds::DataWriter* m_pad = nullptr;
+    eprosima::fastdds::dds::DataWriter* m_frames = nullptr;
 };
 
 } // namespace teleta::peer

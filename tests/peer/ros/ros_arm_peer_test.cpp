@@ -34,6 +34,36 @@ TEST_F(RosArmPeer, aCheckFindsAnArmThatCanBeMoved) {
         EXPECT_EQ(matched["commanders"], 0);
 }
 
+/// MuJoCo's own poses of the links, by its own reading of the URDF.
+TEST_F(RosArmPeer, aCheckComparesTheDescriptionWithTheRobotsOwnFrames) {
+    start(113, {"--tf", "--position", "0.1,0.2,0.3,0.4,0.5,0.6,0.7"});
+    const auto frames = [](const ProgramResult& result) {
+        for (const json& row : json::parse(result.out)) {
+            if (row["check"] == "frames")
+                return row["result"].get<std::string>() + ": " + row["detail"].get<std::string>();
+        }
+        return std::string();
+    };
+    const ProgramResult same = check();
+    EXPECT_EQ(same.exitCode, 0) << same.out << same.err;
+    EXPECT_TRUE(frames(same).starts_with("ok: ")) << frames(same);
+    // The file of an arm with a longer forearm.
+    std::ifstream own(kUrdf);
+    std::string longer((std::istreambuf_iterator<char>(own)), {});
+    const std::string forearm = "<parent link=\"link_4\"/>";
+    const std::size_t joint = longer.find(forearm);
+    ASSERT_NE(joint, std::string::npos);
+    const std::size_t origin = longer.find("<origin xyz=\"", joint);
+    ASSERT_NE(origin, std::string::npos);
+    const std::size_t begin = origin + std::string("<origin xyz=\"").size();
+    longer.replace(begin, longer.find('"', begin) - begin, "0 0 0.5");
+    writeBeside("longer.urdf", longer);
+    writeFile("description = \"longer.urdf\"\n");
+    const ProgramResult other = check();
+    EXPECT_NE(other.exitCode, 0);
+    EXPECT_TRUE(frames(other).starts_with("problem: the tip is not where /tf has it")) << other.out;
+}
+
 TEST_F(RosArmPeer, anEchoReadsWhatTheOtherMiddlewareSends) {
     start(79, {"--position", "0.1,0.2,0.3,0.4,0.5,0.6,0.7"});
     const auto echo = [](const char* topic) {

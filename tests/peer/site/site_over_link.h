@@ -93,7 +93,7 @@ protected:
         m_folder = std::make_unique<QTemporaryDir>();
         const auto commands = site_keys::commandsFor({.folder = m_folder->filePath("keys").toStdString(),
                                                       .site = "lab",
-                                                      .consoles = {"console1"},
+                                                      .consoles = {"console1", "console2"},
                                                       .viewers = {"viewer1"}},
                                                      std::time(nullptr));
         ASSERT_TRUE(commands);
@@ -113,7 +113,7 @@ protected:
             GTEST_SKIP() << "needs root and /dev/net/tun: " << error.what();
         }
         setBoth({.delay_s = kLinkDelay_s, .loss = 0.01});
-        for (const char* name : {"console1", "viewer1"})
+        for (const char* name : {"console1", "console2", "viewer1"})
             std::ofstream(path(std::string(name) + ".toml"))
                 << "kind = \"remote_site\"\nname = \"lab\"\nconsole = \"" << name
                 << "\"\nviewer = " << (std::string(name) == "viewer1" ? "true" : "false") << '\n'

@@ -6,7 +6,7 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/failure.h"
 #include "backend/pipeline/touch/skin_kinematics.h"
-#include "devices/ros/arm_check.h"
+#include "devices/ros/check/arm_check.h"
 #include "devices/ros/files/ros_arm_file.h"
 
 #include <QCoreApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/ros/arm_check.h"
+#include "devices/ros/check/arm_check.h"
 
 #include "backend/core/failure.h"
 #include "backend/core/quantile.h"
@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace teleta::ros_arm {
 
@@ -131,7 +132,7 @@ void findForce(Findings& findings, const RosArmFile& file, const ArmObservation&
         return findings.add(
             "force", bad,
             ArmCheckText::tr("%1 reports a force in the frame %2, which neither the description nor "
-                             "/tf_static has")
+                             "/tf has")
                 .arg(topic, asText(seen.wrench->unknownFrame)));
     const QString text =
         ArmCheckText::tr("%1 messages a second, longest gap %2 s, at most %3 N")
@@ -146,6 +147,34 @@ void findForce(Findings& findings, const RosArmFile& file, const ArmObservation&
             text + ArmCheckText::tr("; force_stop_N is %1").arg(shortNumber(*file.limits.forceStop_N)));
     else
         findings.good("force", text);
+}
+
+/// Up to here the tip is where the robot has it.
+constexpr double kSamePlace_m = 0.001;
+constexpr double kSameTurn_rad = 0.005;
+/// A description of this kind of robot, without the calibration of this one, is hardly farther off.
+constexpr double kSameRobot_m = 0.02;
+constexpr double kSameRobot_rad = 0.05;
+
+void findFrames(Findings& findings, const arm_model::SerialChain& chain, const FrameObservation& seen) {
+    if (seen.messages == 0)
+        return; // not every robot has them
+    if (!seen.connected)
+        return findings.note("frames", ArmCheckText::tr("/tf does not lead from %1 to %2")
+                                           .arg(asText(chain.baseLink()), asText(chain.tipLink())));
+    if (seen.compared == 0)
+        return findings.note("frames", ArmCheckText::tr("/tf has no pose of the time of a joint sample"));
+    const QString apart = ArmCheckText::tr("%1 mm and %2° off at most")
+                              .arg(shortNumber(1e3 * seen.farthest_m),
+                                   shortNumber(seen.largestTurn_rad * 180.0 / std::numbers::pi));
+    if (seen.farthest_m <= kSamePlace_m && seen.largestTurn_rad <= kSameTurn_rad)
+        return findings.good("frames", ArmCheckText::tr("the tip is where /tf has it: %1").arg(apart));
+    const QString off = ArmCheckText::tr("the tip is not where /tf has it: %1").arg(apart);
+    if (seen.farthest_m <= kSameRobot_m && seen.largestTurn_rad <= kSameRobot_rad)
+        findings.note("frames", off);
+    else
+        findings.problem("frames", off + ArmCheckText::tr("; the description is another robot's, or a joint "
+                                                          "has another zero"));
 }
 
 void findClock(Findings& findings, const ArmObservation& seen) {
@@ -267,6 +296,8 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
         waitSet.attach(opened.readers.wrench);
         wrench.emplace(std::move(opened));
     }
+    TELETA_TRY(FrameReaders frameReaders, FrameReaders::open(participant));
+    FrameCheck frames(chain);
     ArmObservation seen;
     std::vector<double> differences_s;
     const std::int64_t start_ns = core::steadyNow_ns();
@@ -285,6 +316,7 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
                 return;
             ++seen.samples;
             seen.effortTold = !joints->effort.empty();
+            frames.takeJoints(joints->position, joints->stamp_s);
             if (joints->stamp_s != 0.0)
                 differences_s.push_back(wallClock_s() - joints->stamp_s);
             if (last_ns)
@@ -292,6 +324,7 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
                     std::max(seen.longestGap_s, static_cast<double>(read_ns - *last_ns) * 1e-9);
             last_ns = read_ns;
         });
+        frameReaders.take(frames);
         if (wrench)
             wrench->look();
         if (std::optional<ArmFault> fault = watch.takeFault(); fault && !seen.fault)
@@ -303,6 +336,7 @@ core::Expected<WatchedArm> watchArm(const RosArmFile& file, double time_s,
         last_ns ? std::max(seen.longestGap_s, static_cast<double>(now_ns - *last_ns) * 1e-9) : seen.time_s;
     if (wrench)
         seen.wrench = wrench->seen(now_ns, seen.time_s);
+    seen.frames = frames.seen();
     seen.counters = watch.joiner().counters();
     seen.zeroStamps = watch.joiner().stamps().zero();
     if (!differences_s.empty())
@@ -321,6 +355,7 @@ std::vector<ArmFinding> findingsOf(const RosArmFile& file, const arm_model::Seri
     findRate(findings, file, seen);
     findEffort(findings, file, seen);
     findForce(findings, file, seen);
+    findFrames(findings, chain, seen.frames);
     findClock(findings, seen);
     findController(findings, file, seen.ends);
     findGuard(findings, file);

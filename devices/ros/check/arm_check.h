@@ -7,6 +7,7 @@
 #include "backend/ros/qos_profile.h"
 #include "devices/dds/discovery.h"
 #include "devices/ros/arm_fault.h"
+#include "devices/ros/check/frame_check.h"
 #include "devices/ros/files/ros_arm_file.h"
 
 #include <QString>
@@ -42,7 +43,8 @@ struct ArmObservation {
     std::optional<ArmFault> fault;           ///< the first one
     std::optional<ros::QosMismatch> jointMismatch;
     std::optional<WrenchObservation> wrench; ///< nothing: the file names no force sensor
-    std::vector<dds::FoundEnd> ends;         ///< of other programs, of all topics
+    FrameObservation frames;
+    std::vector<dds::FoundEnd> ends; ///< of other programs, of all topics
 };
 
 enum class FindingLevel {
@@ -52,8 +54,8 @@ enum class FindingLevel {
 };
 
 struct ArmFinding {
-    const char*
-        check; ///< "joints", "rate", "effort", "force", "clock", "controller", "writers", "file", "pad"
+    const char* check; ///< "joints", "rate", "effort", "force", "frames", "clock", "controller", "writers",
+                       ///< "file", "pad"
     FindingLevel level;
     QString text; ///< translated, without a full stop
 };
