@@ -2,6 +2,7 @@
 #include "devices/site/stream_descriptions.h"
 
 #include "backend/core/data/json_document.h"
+#include "backend/core/data/taxel_places.h"
 
 #include <QCoreApplication>
 
@@ -22,7 +23,8 @@ struct SiteStreamText {
 constexpr double kFastest_Hz = 1e6;
 constexpr double kLargestSide = 1e5;
 constexpr std::size_t kMostStreams = 256;
-constexpr std::size_t kMostColumns = 4096;
+/// Three components of each taxel.
+constexpr std::size_t kMostColumns = 3 * core::TaxelPlaces::kMost;
 
 } // namespace
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/data/taxel_places.h"
 #include "devices/site/stream_descriptions.h"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace teleta::site_link {
 namespace {
@@ -41,6 +44,20 @@ TEST(StreamDescriptions, areReadAsTheyWereWritten) {
     EXPECT_EQ(second.columns[1].name, "angle_2");
     EXPECT_EQ(second.columns[1].unit, "rad");
     EXPECT_TRUE(readStreams(describeStreams({}), "lab")->empty());
+}
+
+TEST(StreamDescriptions, haveRoomForTheLargestArrayWithThreeComponents) {
+    recording::StreamInfo array;
+    array.name = "skin-frames";
+    array.kind = recording::StreamKind::array;
+    array.shape = {core::TaxelPlaces::kMost, 3};
+    for (std::size_t column = 0; column < 3 * core::TaxelPlaces::kMost; ++column)
+        array.columns.push_back({"c" + std::to_string(column), "N"});
+    const auto read = readStreams(describeStreams({array}), "lab");
+    ASSERT_TRUE(read) << core::describe(read.error());
+    EXPECT_EQ(read->front().columns.size(), array.columns.size());
+    array.columns.push_back({"more", "N"});
+    EXPECT_FALSE(readStreams(describeStreams({array}), "lab"));
 }
 
 TEST(StreamDescriptions, tellTheFrameOfTheValues) {
