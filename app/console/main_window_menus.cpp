@@ -165,7 +165,7 @@ void MainWindow::addRecentMenu(QMenu& file) {
     const auto last = last_session::entriesFrom(m_settings.lastSession());
     QAction* reopen = file.addAction(tr("Reopen the &last session"), this, &MainWindow::openLastSession);
     reopen->setEnabled(!last.empty());
-    reopen->setToolTip(last_session::text(last));
+    reopen->setToolTip(last_session::text(last, m_recentNames->names()));
 }
 
 void MainWindow::showRecent() {
@@ -179,7 +179,10 @@ void MainWindow::showRecent() {
 }
 
 void MainWindow::connectStartPage() {
-    connect(m_recentNames, &RecentFileNames::changed, this, &MainWindow::showRecent);
+    connect(m_recentNames, &RecentFileNames::changed, this, [this] {
+        showRecent();
+        offerLastSession();
+    });
     StartPage& start = m_operate->startPage();
     connect(&start.recent(), &chrome::RecentList::fileRequested, m_opener, &FileOpener::openFile);
     connect(&start.recent(), &chrome::RecentList::sessionRequested, this, &MainWindow::openLastSession);
@@ -220,10 +223,14 @@ void MainWindow::openCard(const QString& place) {
 }
 
 void MainWindow::offerLastSession() {
-    m_operate->startPage().recent().setSession(
-        m_settings.atStart() == AtStart::nothing
-            ? QString()
-            : last_session::text(last_session::entriesFrom(m_settings.lastSession())));
+    const auto entries = last_session::entriesFrom(m_settings.lastSession());
+    QStringList paths;
+    for (const last_session::Entry& entry : entries)
+        paths << entry.path;
+    m_recentNames->ask(paths);
+    m_operate->startPage().recent().setSession(m_settings.atStart() == AtStart::nothing
+                                                   ? QString()
+                                                   : last_session::text(entries, m_recentNames->names()));
 }
 
 void MainWindow::openLastSession() {

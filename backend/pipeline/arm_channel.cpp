@@ -37,7 +37,8 @@ ArmChannel::ArmChannel(std::unique_ptr<core::ArmSource> arm, std::shared_ptr<Tou
                        std::shared_ptr<const arm_model::SerialChain> chain, std::string meshFolder)
     : JointChannel(std::move(arm), std::move(chain), std::move(meshFolder))
     , m_skin(std::move(skin))
-    , m_estimator(description(), settings.touch, std::move(skinAt))
+    , m_estimator(description(), settings.touch, skinAt)
+    , m_skinTouches(description().joints(), skinAt ? std::move(skinAt) : skinAroundForearm(description()))
     , m_found(settings.contour)
     , m_touches(kHistoryTouches) {
     m_settingsInUse.set(settings);
@@ -92,13 +93,16 @@ std::size_t ArmChannel::process() {
     auto contact = m_contacts.begin();
     const auto feedContactsUntil = [&](std::int64_t time_ns) {
         for (; contact != m_contacts.end() && contact->time_ns <= time_ns; ++contact) {
-            if (auto touch = m_estimator.update(*contact))
+            if (auto touch = m_tellsTorques ? m_estimator.update(*contact)
+                                            : m_skinTouches.update(*contact, m_estimator.settings()))
                 take(std::move(*touch));
         }
     };
     for (const core::JointSample& next : joints) {
         feedContactsUntil(next.time_ns - 1);
-        if (auto touch = m_estimator.update(next))
+        m_tellsTorques = m_tellsTorques || tellsTorques(next);
+        if (auto touch = m_tellsTorques ? m_estimator.update(next)
+                                        : m_skinTouches.update(next, m_estimator.settings()))
             take(std::move(*touch));
         // A touch that the jump ended is of the run before.
         if (m_sourceTime_s && next.sourceTime_s < *m_sourceTime_s && !description().recorded)
@@ -177,7 +181,7 @@ void ArmChannel::publishSnapshot() {
     snapshot.newest = m_newest;
     snapshot.drive = device().drive();
     snapshot.begun_ns = m_begun_ns;
-    snapshot.contact = m_estimator.liveContact();
+    snapshot.contact = m_tellsTorques ? m_estimator.liveContact() : m_skinTouches.liveContact();
     snapshot.lastTouch = m_lastTouch;
     // The slot may hold this contour already: it is large and seldom new.
     if (snapshot.contour.revision != m_found.contour().revision)

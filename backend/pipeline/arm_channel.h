@@ -9,6 +9,7 @@
 #include "backend/core/threads/mailbox.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/pipeline/touch/found_objects.h"
+#include "backend/pipeline/touch/skin_touches.h"
 #include "backend/pipeline/touch/tactile_feedback.h"
 #include "backend/pipeline/touch/touch_estimator.h"
 #include "backend/pipeline/touch/touch_history.h"
@@ -132,6 +133,8 @@ private:
 
     std::shared_ptr<TouchChannel> m_skin;
     TouchEstimator m_estimator;
+    SkinTouches m_skinTouches;   ///< in its place, of an arm that measures no torques
+    bool m_tellsTorques = false; ///< any sample so far did
     FoundObjects m_found;
     TouchHistory m_history; ///< of a recording
     std::uint64_t m_objectsRevision = 0;

@@ -27,6 +27,8 @@ const char* toString(Refusal refusal) {
         return "angleOpposesTorque";
     case Refusal::tooQuick:
         return "tooQuick";
+    case Refusal::noTorques:
+        return "noTorques";
     }
     return "";
 }

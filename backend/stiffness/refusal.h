@@ -16,6 +16,7 @@ enum class Refusal {
     torqueUnchanged,     ///< all samples in the window have the same torque
     angleOpposesTorque,  ///< the joint turns against the rising torque by more than the noise explains
     tooQuick,            ///< the torque rises so quickly that it includes the inertia of the link
+    noTorques,           ///< the arm measures none
 };
 
 /// Name of the code, for logs and tests.

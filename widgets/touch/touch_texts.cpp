@@ -91,6 +91,8 @@ QString TouchTexts::refusal(Refusal refusal) {
         return tr("The joint turned against the rising torque: the object moved, or a sign is wrong.");
     case Refusal::tooQuick:
         return tr("The touch was too quick: the arm's own inertia was felt with the object. Press slower.");
+    case Refusal::noTorques:
+        return tr("This arm measures no joint torques: its skin tells the place, and nothing the stiffness.");
     }
     return {};
 }

@@ -77,12 +77,19 @@ std::vector<Entry> entriesFrom(const QStringList& stored) {
     return entries;
 }
 
-QString text(const std::vector<Entry>& entries) {
+QString text(const std::vector<Entry>& entries, const chrome::RecentNames& known) {
     QStringList names;
-    for (const Entry& entry : entries)
-        names << (entry.kind == Entry::Kind::camera  ? SessionText::tr("camera")
-                  : entry.kind == Entry::Kind::study ? QFileInfo(entry.path).fileName()
-                                                     : QFileInfo(entry.path).completeBaseName());
+    for (const Entry& entry : entries) {
+        const auto name = known.constFind(entry.path);
+        if (entry.kind == Entry::Kind::camera)
+            names << SessionText::tr("camera");
+        else if (entry.kind == Entry::Kind::recording && name != known.constEnd())
+            names << name->oneLine();
+        else if (entry.kind == Entry::Kind::study)
+            names << QFileInfo(entry.path).fileName();
+        else
+            names << QFileInfo(entry.path).completeBaseName();
+    }
     return names.join(QStringLiteral(", "));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/sources/source_request.h"
+#include "widgets/chrome/recent_name.h"
 
 #include <QString>
 #include <QStringList>
@@ -34,8 +35,9 @@ struct Entry {
 /// looks whether it is there. Thread: any.
 [[nodiscard]] std::vector<Entry> entriesFrom(const QStringList& stored);
 
-/// What people read of them: file names, with commas. Thread: any.
-[[nodiscard]] QString text(const std::vector<Entry>& entries);
+/// What people read of them, with commas: what is in a recording, as far as it is known, and the names of
+/// files. Thread: any.
+[[nodiscard]] QString text(const std::vector<Entry>& entries, const chrome::RecentNames& known);
 
 } // namespace last_session
 

@@ -91,6 +91,7 @@ core::Error explain(Refusal refusal) {
     case Refusal::negativeUncertainty:
     case Refusal::outOfRange:
     case Refusal::badWindow:
+    case Refusal::noTorques:
         break;
     }
     return refused("the numbers are too large or too small to compute with", "SI units");

@@ -349,21 +349,7 @@ std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
 }
 
 void TouchEstimator::addToPlace(const SkinContact& contact) {
-    // leastSkinForce_N may be 0: a contact without force still has a place.
-    constexpr double kLeastWeight_N = 1e-9;
-    const double weight_N = std::max(contact.force_N, kLeastWeight_N);
-    if (!m_touch.place ||
-        std::hypot(contact.x_m - m_touch.place->x_m, contact.y_m - m_touch.place->y_m) > kSamePlace_m)
-        m_touch.place = Place{.x_m = contact.x_m, .y_m = contact.y_m, .type = contact.type};
-    const double centreSe_m = m_skinAt ? m_skinAt->centreSe_m() : 0.0;
-    Place& place = *m_touch.place;
-    place.type = contact.type;
-    place.weight_N += weight_N;
-    const double share = weight_N / place.weight_N;
-    place.x_m += share * (contact.x_m - place.x_m);
-    place.y_m += share * (contact.y_m - place.y_m);
-    place.xSe_m += share * (std::hypot(contact.xSe_m, centreSe_m) - place.xSe_m);
-    place.ySe_m += share * (std::hypot(contact.ySe_m, centreSe_m) - place.ySe_m);
+    TouchedPlace::add(m_touch.place, contact, m_skinAt ? m_skinAt->centreSe_m() : 0.0);
 }
 
 std::optional<TouchRecord> TouchEstimator::recordWhenLocated(bool waitNoLonger) {
@@ -454,7 +440,7 @@ TouchEstimator::stiffnessAt(const SkinPoint& point, std::optional<double> placeS
 }
 
 double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
-    const Place& place = *m_touch.place;
+    const TouchedPlace& place = *m_touch.place;
     double squares = 0.0;
     for (const SkinPoint& moved :
          {locate(place.x_m + place.xSe_m, place.y_m), locate(place.x_m, place.y_m + place.ySe_m)}) {

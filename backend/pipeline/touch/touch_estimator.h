@@ -5,6 +5,7 @@
 #include "backend/core/device/arm_device.h"
 #include "backend/pipeline/touch/skin_kinematics.h"
 #include "backend/pipeline/touch/touch_record.h"
+#include "backend/pipeline/touch/touched_place.h"
 #include "backend/stiffness/contact_detector.h"
 #include "backend/stiffness/stiffness_estimator.h"
 
@@ -86,9 +87,9 @@ struct LiveContact {
 /// angle and k_ri. What the arm's own motion bends in the line widens the interval.
 ///
 /// The contact point is the mean of what the skin felt during the touch, weighted with the force; a contact
-/// elsewhere (further than kSamePlace_m) begins it anew. Without the skin the touch is recorded, but not
-/// located: no point, no force, no stiffness. While the arm is told to speed up or slow down, the inertia of
-/// its links is felt like a touch: what the skin does not feel is then none, and is only counted.
+/// elsewhere (further than TouchedPlace::kSame_m) begins it anew. Without the skin the touch is recorded, but
+/// not located: no point, no force, no stiffness. While the arm is told to speed up or slow down, the inertia
+/// of its links is felt like a touch: what the skin does not feel is then none, and is only counted.
 ///
 /// An arm whose skin has no known place is watched alike, but its touches are not located. A
 /// sample with a number that is not finite, or without one for each joint, is left out and counted. A
@@ -96,7 +97,6 @@ struct LiveContact {
 /// reference anew. Samples and contacts come in order of time. Thread: one. Source: TeleTA, section 2.
 class TouchEstimator {
 public:
-    static constexpr double kSamePlace_m = 0.015;
     static constexpr double kFreeTime_s = 1.0;
 
     /// skin: of an arm with as many joints; null: that of skinAroundForearm().
@@ -132,14 +132,6 @@ private:
         complete, ///< to be recorded when the skin has felt it
         held,     ///< recorded, not yet released
     };
-    struct Place {
-        double x_m = 0.0;
-        double y_m = 0.0;
-        double xSe_m = 0.0; ///< the means of those of the frames: such an error does not average out
-        double ySe_m = 0.0;
-        double weight_N = 0.0;
-        contact::ContactType type = contact::ContactType::none;
-    };
     struct Touch {
         Stage stage = Stage::none;
         core::JointSample first;
@@ -154,7 +146,7 @@ private:
         std::optional<std::int64_t> skinLeft_ns; ///< since when the skin has no longer felt it
         bool accelerated = false;                ///< the arm sped up or slowed down in it, or shortly before
         bool elbowFelt = false;                  ///< the elbow is over the threshold in that sample
-        std::optional<Place> place;
+        std::optional<TouchedPlace> place;
     };
     struct Motion {
         double time_s = 0.0;

@@ -176,10 +176,12 @@ void readTorques(TomlTable& table, core::TouchTorques& torques) {
 void readTouch(TomlTable& root, const std::string& path, RosArmFile& file) {
     if (!root.has("touch"))
         return;
-    if (file.effortUnit != EffortUnit::newtonMetre)
-        root.fail("touch", ArmFileText::tr("the efforts of this arm are not in Nm").toStdString(),
-                  "effort_unit = \"Nm\"");
     TomlTable table = root.table("touch");
+    // Without torques the pad tells where a touch is, and nothing evaluates it.
+    for (const char* key : {"joint_stiffness_NmPerRad", "window_Nm", "threshold_Nm", "noise_floor_Nm"})
+        if (file.effortUnit != EffortUnit::newtonMetre && table.has(key))
+            table.fail(key, ArmFileText::tr("the efforts of this arm are not in Nm").toStdString(),
+                       "effort_unit = \"Nm\"");
     RosTouchFile touch;
     core::PadPlacement& pad = touch.pad;
     pad.joint = table.text("joint", "");

@@ -52,7 +52,9 @@ class ArmChannelTest : public testing::Test {
 protected:
     void step(double elbow_Nm) {
         const double force_N = m_arm.forceFor_N(elbow_Nm);
-        const core::JointSample sample = m_arm.next(force_N);
+        core::JointSample sample = m_arm.next(force_N);
+        if (m_withoutTorques)
+            sample.torque_Nm = {};
         ASSERT_TRUE(m_source->push(sample));
         if (++m_samples % 5 == 0) {
             core::SampleBlock block;
@@ -81,6 +83,7 @@ protected:
         std::unique_ptr<core::TactileSource>(m_skin), pipeline::ChannelSettings{});
     ArmChannel m_channel{std::unique_ptr<core::ArmSource>(m_source), m_touchChannel, withoutInertia()};
     int m_samples = 0;
+    bool m_withoutTorques = false;
 };
 
 } // namespace
@@ -111,6 +114,24 @@ TEST_F(ArmChannelTest, publishesATouchWithEverythingThatIsKnownOfIt) {
 
     // The skin's own channel was fed as well.
     EXPECT_EQ(m_touchChannel->framesProcessed(), 62U);
+}
+
+TEST_F(ArmChannelTest, anArmWithoutTorquesFindsWhereItTouches) {
+    m_withoutTorques = true;
+    for (int i = 0; i < 3; ++i)
+        touch();
+    m_channel.process();
+    ASSERT_TRUE(m_channel.update());
+    EXPECT_EQ(m_channel.snapshot().contour.points_m.size(), 3U);
+    ASSERT_EQ(m_channel.snapshot().objects.size(), 1U);
+    EXPECT_FALSE(m_channel.snapshot().objects[0].material);
+    TouchRecord record;
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(m_channel.popTouch(record));
+        EXPECT_NEAR(record.contactDistance_m, kDistance_m, 1e-9);
+        EXPECT_EQ(record.refusal, stiffness::Refusal::noTorques);
+    }
+    EXPECT_FALSE(m_channel.popTouch(record));
 }
 
 TEST_F(ArmChannelTest, countsATouchOfARecordingOnceHoweverOftenItIsPlayed) {

@@ -180,8 +180,9 @@ TEST(ArmCheck, aTipThatIsNotWhereTheRobotHasItBelongsToAnotherDescription) {
     seen.frames.farthest_m = 0.004;
     EXPECT_EQ(texts(FindingLevel::note), "the tip is not where /tf has it: 4 mm and 0° off at most;");
     seen.frames.largestTurn_rad = 0.1;
-    EXPECT_EQ(texts(FindingLevel::problem), "the tip is not where /tf has it: 4 mm and 5.73° off at most; the "
-                                            "description is another robot's, or a joint has another zero;");
+    EXPECT_EQ(texts(FindingLevel::problem),
+              "the tip is not where /tf has it: 4 mm and 5.73° off at most; the "
+              "description is another robot's, or a joint has another zero;");
 }
 
 TEST(ArmCheck, moveItServoIsForSitesOnly) {

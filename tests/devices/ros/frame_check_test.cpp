@@ -43,8 +43,7 @@ public:
                          [this](const ros::TFMessage& message) { check.takeFixed(message); });
     }
     void tell(const ToldFrame& frame) {
-        test::tellFrames({frame},
-                         [this](const ros::TFMessage& message) { check.takeMoving(message, 0); });
+        test::tellFrames({frame}, [this](const ros::TFMessage& message) { check.takeMoving(message, 0); });
     }
     FrameCheck check{planarArm()};
 };
@@ -98,8 +97,8 @@ TEST(FrameCheck, whatCannotBeComparedIsNotCompared) {
 
     TwoJoints arm;
     for (int i = 0; i < 5; ++i) {
-        arm.tell(lowerLink(0.4, 0.0, 0.0));                    // no stamp
-        arm.tell(lowerLink(0.4, 0.0, kStart_s - 5.0));         // of before the first sample
+        arm.tell(lowerLink(0.4, 0.0, 0.0));                      // no stamp
+        arm.tell(lowerLink(0.4, 0.0, kStart_s - 5.0));           // of before the first sample
         arm.tell(lowerLink(0.4, 0.0, kStart_s + 0.5 + 1.0 * i)); // between samples that are far apart
         arm.check.takeJoints({0.0, 0.0}, kStart_s + 1.0 * i);
         arm.check.takeJoints({0.0, 0.0}, kStart_s + 1.0 * i); // not newer

@@ -146,7 +146,14 @@ window_Nm = [0.8, 2.0]
 
 TEST(RosArmFile, refusesTouchesThatCannotBe) {
     const std::string head = "effort_unit = \"Nm\"\n[touch]\n";
-    EXPECT_NE(errorWith("[touch]\n").find("not in Nm"), std::string::npos) << errorWith("[touch]\n");
+    for (const char* key : {"window_Nm = [1, 2]\n", "threshold_Nm = 1\n", "noise_floor_Nm = 0.01\n",
+                            "joint_stiffness_NmPerRad = [1000]\n"})
+        EXPECT_NE(errorWith(std::string("[touch]\n") + key).find("not in Nm"), std::string::npos) << key;
+    const auto placed =
+        parseRosArm(kShortest + "effort_unit = \"A\"\n[touch]\narray = \"pad.toml\"\nframe = \"a\"\n"
+                                "pose = [0, 0, 0, 0, 0, 0]\n",
+                    "arm.toml");
+    EXPECT_TRUE(placed && placed->touch) << "the pad tells the place without torques";
     for (const auto& [lines, told] :
          {std::pair{"pose = [0, 0, 0, 0, 0, 0]\n", "the pad is not named"},
           std::pair{"array = \"pad.toml\"\n", "frame"},

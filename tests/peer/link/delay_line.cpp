@@ -163,6 +163,7 @@ void DelayLine::enter(Way& way, std::vector<std::uint8_t> bytes) {
     const auto uniform = [this] { return std::uniform_real_distribution<double>(0, 1)(m_random); };
     const LinkConditions& conditions = way.conditions;
     ++way.counts.entered;
+    way.counts.bytes += bytes.size();
     if (conditions.cut || uniform() < conditions.loss ||
         way.onTheWay.size() + way.held.size() >= kMostPackets) {
         ++way.counts.lost;

@@ -30,6 +30,7 @@ struct LinkConditions {
 /// Packets of one direction since the start.
 struct LinkCounts {
     std::uint64_t entered = 0;
+    std::uint64_t bytes = 0; ///< of those, with their IP headers
     std::uint64_t delivered = 0;
     std::uint64_t lost = 0; ///< by loss, a cut, or more than kMostPackets on the way
     std::uint64_t repeated = 0;

@@ -175,7 +175,7 @@ private slots:
         for (const Refusal refusal :
              {Refusal::notFinite, Refusal::notPositive, Refusal::negativeUncertainty, Refusal::badWindow,
               Refusal::noSamples, Refusal::windowNotReached, Refusal::tooFewSamples, Refusal::torqueUnchanged,
-              Refusal::angleOpposesTorque, Refusal::tooQuick}) {
+              Refusal::angleOpposesTorque, Refusal::tooQuick, Refusal::noTorques}) {
             StiffnessGauge gauge;
             gauge.setRefusal(refusal);
             const QString said = GaugeTexts::details(gauge.content());

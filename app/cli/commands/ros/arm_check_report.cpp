@@ -52,10 +52,17 @@ std::optional<ros_arm::ArmFinding> padFinding(const ros_arm::RosArmFile& file,
     if (!pad)
         return ros_arm::ArmFinding{"pad", Level::problem,
                                    QString::fromStdString(core::describe(pad.error()))};
-    return ros_arm::ArmFinding{"pad", Level::good,
-                               ArmCheckReportText::tr("on %1, pressed by %2")
-                                   .arg(QString::fromStdString(file.touch->pad.link),
-                                        QString::fromStdString(chain->joint((*pad)->pressingJoint()).name))};
+    const QString link = QString::fromStdString(file.touch->pad.link);
+    if (file.effortUnit != ros_arm::EffortUnit::newtonMetre)
+        return ros_arm::ArmFinding{
+            "pad", Level::note,
+            ArmCheckReportText::tr("on %1; touches have a place, but no force and no stiffness, since the "
+                                   "arm's efforts are not in Nm")
+                .arg(link)};
+    return ros_arm::ArmFinding{
+        "pad", Level::good,
+        ArmCheckReportText::tr("on %1, pressed by %2")
+            .arg(link, QString::fromStdString(chain->joint((*pad)->pressingJoint()).name))};
 }
 
 } // namespace

@@ -235,6 +235,7 @@ core::Unexpected explain(Refusal refusal, const std::vector<JointSample>& log,
     case Refusal::negativeUncertainty:
     case Refusal::outOfRange:
     case Refusal::badWindow:
+    case Refusal::noTorques:
         break;
     }
     return refused(StiffnessText::tr("the numbers are too large or too small to compute with"),

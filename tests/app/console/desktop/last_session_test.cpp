@@ -67,7 +67,10 @@ private slots:
         QCOMPARE(entries[0].path, there);
         QCOMPARE(entries[1].kind, Entry::Kind::camera);
         QCOMPARE(entries[2].kind, Entry::Kind::study);
-        QCOMPARE(last_session::text(entries), "run, camera, " + QFileInfo(folder.path()).fileName());
+        const QString study = QFileInfo(folder.path()).fileName();
+        QCOMPARE(last_session::text(entries, {}), "run, camera, " + study);
+        QCOMPARE(last_session::text(entries, {{there, {"Teleoperation", "2026-11-29 10:00, 12 s", {}}}}),
+                 "Teleoperation, 2026-11-29 10:00, 12 s, camera, " + study);
         QVERIFY(last_session::entriesFrom({}).empty());
     }
 };
