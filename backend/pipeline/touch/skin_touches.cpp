@@ -46,9 +46,12 @@ std::optional<TouchRecord> SkinTouches::update(const SkinContact& contact,
             m_touch->first_s = m_newest->sourceTime_s;
         }
         m_touch->felt_ns = contact.time_ns;
+        m_touch->left_ns.reset();
         m_touch->pose = *m_newest;
         ++m_touch->frames;
         TouchedPlace::add(m_touch->place, contact, m_skinAt->centreSe_m());
+    } else if (m_touch && !m_touch->left_ns) {
+        m_touch->left_ns = contact.time_ns;
     }
     return advance(contact.time_ns, settings.release_s);
 }
@@ -56,8 +59,8 @@ std::optional<TouchRecord> SkinTouches::update(const SkinContact& contact,
 std::optional<TouchRecord> SkinTouches::advance(std::int64_t now_ns, double release_s) {
     if (!m_touch)
         return std::nullopt;
-    const double unfelt_s = core::elapsed_s(m_touch->felt_ns, now_ns);
-    const bool isOver = unfelt_s >= (m_skin ? kSilence_s : release_s);
+    const bool isOver = (m_touch->left_ns && core::elapsed_s(*m_touch->left_ns, now_ns) >= release_s) ||
+                        core::elapsed_s(m_touch->felt_ns, now_ns) >= kSilence_s;
     std::optional<TouchRecord> record;
     if (!m_touch->recorded && m_touch->frames >= kLeastFrames &&
         (isOver || core::elapsed_s(m_touch->first_ns, now_ns) >= kSettle_s)) {

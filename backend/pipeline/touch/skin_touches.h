@@ -45,7 +45,8 @@ private:
     struct Touch {
         std::int64_t first_ns = 0;
         double first_s = 0.0; ///< by the arm's time
-        std::int64_t felt_ns = 0;
+        std::int64_t felt_ns = 0;            ///< the newest frame in which it was felt
+        std::optional<std::int64_t> left_ns; ///< the first frame in which it was felt no more
         int frames = 0;
         bool recorded = false;
         core::JointSample pose; ///< newest in which it was felt

@@ -32,6 +32,12 @@ TEST(DdsDomain, keepsPacketsWholeOnNetworks) {
     EXPECT_FALSE(holds(configurationOf({}), "NetworkInterface"));
 }
 
+TEST(DdsDomain, threadsHaveAPriorityOnlyWhereTheUserMayGiveOne) {
+    EXPECT_FALSE(holds(configurationOf({}), "Threads"));
+    EXPECT_TRUE(holds(configurationOf({}, 9), "<Thread Name=\"recv\"><Scheduling><Class>realtime</Class>"
+                                              "<Priority>9</Priority></Scheduling></Thread>"));
+}
+
 TEST(DdsDomain, namesCannotBreakOutOfTheConfiguration) {
     const std::string xml = configurationOf({.domain = 0, .interface = "a\"/><b&", .peers = {"<x>"}});
     EXPECT_TRUE(holds(xml, "name=\"a&quot;/>&lt;b&amp;\"")) << xml;

@@ -26,7 +26,8 @@ constexpr int kLook_s = 2;
 constexpr int kRow_s = 60;
 /// Memory is judged only after the programs have filled their buffers once.
 constexpr int kWarmUp_s = 300;
-constexpr double kGrowth = 0.05;
+/// The allocator keeps up to 3 MiB for some minutes and gives them back.
+constexpr double kGrowth = 0.1;
 constexpr double kPress_radPerS = 0.05;
 /// The robot writes on while the console is asked.
 constexpr std::int64_t kBetweenCounts = 500;
