@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/recorded/recorded_loads.h"
 
-#include <Eigen/Core>
 #include <QCoreApplication>
+
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
