@@ -1122,6 +1122,10 @@
         <source>periods missed: %1</source>
         <translation>périodes manquées&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>latency %1 ms, as measured</source>
+        <translation>latence de %1 ms, mesurée</translation>
+    </message>
 </context>
 <context>
     <name>CalibrateCommand</name>
@@ -1944,6 +1948,41 @@
     <message>
         <source>Dropped here</source>
         <translation>Perdues ici</translation>
+    </message>
+</context>
+<context>
+    <name>ClickListener</name>
+    <message>
+        <source>Inputs of ALSA cannot be listened to.</source>
+        <translation>Les entrées d’ALSA ne peuvent pas être écoutées.</translation>
+    </message>
+    <message>
+        <source>device = &quot;pipewire&quot; or &quot;jack&quot; in the device file</source>
+        <translation>device = &quot;pipewire&quot; ou &quot;jack&quot; dans le fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>The sound server does not answer.</source>
+        <translation>Le serveur de son ne répond pas.</translation>
+    </message>
+    <message>
+        <source>There is no sound input &quot;%1&quot;.</source>
+        <translation>Il n’y a pas d’entrée de son «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>an input; there is none</source>
+        <translation>une entrée&#xa0;; il n’y en a aucune</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>l’une de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The sound server refused to create an input.</source>
+        <translation>Le serveur de son ne donne pas d’entrée.</translation>
+    </message>
+    <message>
+        <source>The input &quot;%1&quot; cannot be connected.</source>
+        <translation>L’entrée «&#xa0;%1&#xa0;» ne peut pas être reliée.</translation>
     </message>
 </context>
 <context>
@@ -3725,6 +3764,14 @@ Exemples&#xa0;:
     <message>
         <source>the temperature of chip %1 changed by %2 K while it was probed: what the sensor reads at rest moves with it. Wait until it is warm</source>
         <translation>la température de la puce %1 a changé de %2 K pendant le test&#xa0;: la valeur au repos du capteur la suit. Attendez qu’il soit chaud</translation>
+    </message>
+    <message>
+        <source>this is for a bracelet on a sound card</source>
+        <translation>cela concerne un bracelet sur une carte son</translation>
+    </message>
+    <message>
+        <source>Of a bracelet on a sound card: play clicks on tactor 1 and measure when they are heard on this input, at which an accelerometer or a cable is</source>
+        <translation>D’un bracelet sur une carte son&#xa0;: jouer des clics sur l’actionneur 1 et mesurer quand ils sont entendus sur cette entrée, où se trouve un accéléromètre ou un câble</translation>
     </message>
 </context>
 <context>
@@ -8107,6 +8154,10 @@ Aire %6</translation>
         <source>%1 % of a period, longest %2 %, %3 missed</source>
         <translation>%1&#xa0;% d’une période, au plus %2&#xa0;%, %3 manquées</translation>
     </message>
+    <message>
+        <source>%1 ms, as measured</source>
+        <translation>%1 ms, mesurée</translation>
+    </message>
 </context>
 <context>
     <name>PlanContent</name>
@@ -8484,6 +8535,21 @@ Run %2 --help for more.
     <message>
         <source>publisher and subscriber have incompatible qualities of service (QoS)</source>
         <translation>l’émetteur et le récepteur ont des qualités de service (QoS) incompatibles</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedLoads</name>
+    <message>
+        <source>the array does not have this</source>
+        <translation>la matrice ne l’a pas</translation>
+    </message>
+    <message>
+        <source>this is listed twice</source>
+        <translation>ceci figure deux fois</translation>
+    </message>
+    <message>
+        <source>least is above greatest</source>
+        <translation>least est supérieur à greatest</translation>
     </message>
 </context>
 <context>
@@ -11239,6 +11305,25 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>at least %1 ms</source>
         <translation>au moins %1 ms</translation>
+    </message>
+    <message>
+        <source>there is no latency that varies</source>
+        <translation>il n’y a pas de latence qui varie</translation>
+    </message>
+    <message>
+        <source>latency_ms as well</source>
+        <translation>aussi latency_ms</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLatency</name>
+    <message>
+        <source>Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.</source>
+        <translation>Seuls %1 clics sur %2 ont été entendus sur %3, dont le bruit atteint %4 de la pleine échelle.</translation>
+    </message>
+    <message>
+        <source>an accelerometer at tactor 1, or a cable from its output to this input</source>
+        <translation>un accéléromètre sur l’actionneur 1, ou un câble de sa sortie à cette entrée</translation>
     </message>
 </context>
 <context>
@@ -20936,6 +21021,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Chip %1: %2</source>
         <translation>Puce %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moved with temperature while it was recorded.</source>
+        <translation>Ce qu’il lit au repos a changé avec la température pendant l’enregistrement.</translation>
     </message>
 </context>
 <context>

@@ -1119,6 +1119,10 @@
         <source>periods missed: %1</source>
         <translation>逃した周期: %1</translation>
     </message>
+    <message>
+        <source>latency %1 ms, as measured</source>
+        <translation>遅延は%1 ms (測定値)</translation>
+    </message>
 </context>
 <context>
     <name>CalibrateCommand</name>
@@ -1940,6 +1944,41 @@
     <message>
         <source>Dropped here</source>
         <translation>ここでの欠落</translation>
+    </message>
+</context>
+<context>
+    <name>ClickListener</name>
+    <message>
+        <source>Inputs of ALSA cannot be listened to.</source>
+        <translation>ALSAの入力は聞き取れません。</translation>
+    </message>
+    <message>
+        <source>device = &quot;pipewire&quot; or &quot;jack&quot; in the device file</source>
+        <translation>デバイスファイルのdevice = &quot;pipewire&quot;または&quot;jack&quot;</translation>
+    </message>
+    <message>
+        <source>The sound server does not answer.</source>
+        <translation>サウンドサーバーが応答しません。</translation>
+    </message>
+    <message>
+        <source>There is no sound input &quot;%1&quot;.</source>
+        <translation>サウンド入力「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>an input; there is none</source>
+        <translation>入力 (1つもありません)</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>次のいずれか: %1</translation>
+    </message>
+    <message>
+        <source>The sound server refused to create an input.</source>
+        <translation>サウンドサーバーが入力を用意しません。</translation>
+    </message>
+    <message>
+        <source>The input &quot;%1&quot; cannot be connected.</source>
+        <translation>入力「%1」を接続できません。</translation>
     </message>
 </context>
 <context>
@@ -3718,6 +3757,14 @@ Examples:
     <message>
         <source>the temperature of chip %1 changed by %2 K while it was probed: what the sensor reads at rest moves with it. Wait until it is warm</source>
         <translation>調べている間にチップ%1の温度が%2 K変化しました。センサーの静止時の値も一緒に動きます。温まるまで待ってください</translation>
+    </message>
+    <message>
+        <source>this is for a bracelet on a sound card</source>
+        <translation>サウンドカード上のブレスレット用のオプションです</translation>
+    </message>
+    <message>
+        <source>Of a bracelet on a sound card: play clicks on tactor 1 and measure when they are heard on this input, at which an accelerometer or a cable is</source>
+        <translation>サウンドカード上のブレスレットについて、アクチュエーター1でクリックを再生し、加速度センサーまたはケーブルをつないだこの入力で聞こえるまでの時間を測定</translation>
     </message>
 </context>
 <context>
@@ -8088,6 +8135,10 @@ x %4, y %5
         <source>%1 % of a period, longest %2 %, %3 missed</source>
         <translation>周期の%1 %、最長%2 %、逃した周期%3</translation>
     </message>
+    <message>
+        <source>%1 ms, as measured</source>
+        <translation>%1 ms (測定値)</translation>
+    </message>
 </context>
 <context>
     <name>PlanContent</name>
@@ -8464,6 +8515,21 @@ Run %2 --help for more.
     <message>
         <source>publisher and subscriber have incompatible qualities of service (QoS)</source>
         <translation>送信側と受信側のサービス品質（QoS）が合いません</translation>
+    </message>
+</context>
+<context>
+    <name>RecordedLoads</name>
+    <message>
+        <source>the array does not have this</source>
+        <translation>アレイにこれはありません</translation>
+    </message>
+    <message>
+        <source>this is listed twice</source>
+        <translation>これが2回あります</translation>
+    </message>
+    <message>
+        <source>least is above greatest</source>
+        <translation>leastがgreatestより大きくなっています</translation>
     </message>
 </context>
 <context>
@@ -11212,6 +11278,25 @@ Run teleta-site --help for more.
     <message>
         <source>at least %1 ms</source>
         <translation>%1 ms以上</translation>
+    </message>
+    <message>
+        <source>there is no latency that varies</source>
+        <translation>ばらつく遅延がありません</translation>
+    </message>
+    <message>
+        <source>latency_ms as well</source>
+        <translation>latency_msも指定</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLatency</name>
+    <message>
+        <source>Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.</source>
+        <translation>%3で聞こえたクリックは%2回のうち%1回だけです。この入力の雑音はフルスケールの%4に達します。</translation>
+    </message>
+    <message>
+        <source>an accelerometer at tactor 1, or a cable from its output to this input</source>
+        <translation>アクチュエーター1の加速度センサー、またはその出力からこの入力へのケーブル</translation>
     </message>
 </context>
 <context>
@@ -20875,6 +20960,10 @@ Run teleta-site --help for more.
     <message>
         <source>Chip %1: %2</source>
         <translation>チップ%1: %2</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moved with temperature while it was recorded.</source>
+        <translation>静止時の値は、記録中に温度とともに変わりました。</translation>
     </message>
 </context>
 <context>

@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>Move the read-out from taxel to taxel, in the heatmap</source>
-        <translation>在热图中：逐个触元移动读数</translation>
+        <translation>在热图中：逐个触觉单元移动读数</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
@@ -669,7 +669,7 @@
     </message>
     <message>
         <source>a frame of %1 has %2 x %3 taxels</source>
-        <translation>%1 的一帧有 %2 x %3 个触元</translation>
+        <translation>%1 的一帧有 %2 x %3 个触觉单元</translation>
     </message>
     <message>
         <source>from 1 to %1 rows and columns</source>
@@ -685,7 +685,7 @@
     </message>
     <message>
         <source>%1 has %2 taxels</source>
-        <translation>%1 有 %2 个触元</translation>
+        <translation>%1 有 %2 个触觉单元</translation>
     </message>
     <message>
         <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>frames x rows x columns, or frames x taxels</source>
-        <translation>帧 x 行 x 列，或帧 x 触元</translation>
+        <translation>帧 x 行 x 列，或帧 x 触觉单元</translation>
     </message>
     <message>
         <source>the array is too large: %1</source>
@@ -1118,6 +1118,10 @@
     <message>
         <source>periods missed: %1</source>
         <translation>错过的周期：%1</translation>
+    </message>
+    <message>
+        <source>latency %1 ms, as measured</source>
+        <translation>延迟 %1 ms，为测量值</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1947,41 @@
     </message>
 </context>
 <context>
+    <name>ClickListener</name>
+    <message>
+        <source>Inputs of ALSA cannot be listened to.</source>
+        <translation>无法监听 ALSA 的输入。</translation>
+    </message>
+    <message>
+        <source>device = &quot;pipewire&quot; or &quot;jack&quot; in the device file</source>
+        <translation>设备文件中的 device = &quot;pipewire&quot; 或 &quot;jack&quot;</translation>
+    </message>
+    <message>
+        <source>The sound server does not answer.</source>
+        <translation>声音服务器没有应答。</translation>
+    </message>
+    <message>
+        <source>There is no sound input &quot;%1&quot;.</source>
+        <translation>没有声音输入“%1”。</translation>
+    </message>
+    <message>
+        <source>an input; there is none</source>
+        <translation>一个输入；目前没有</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message>
+        <source>The sound server refused to create an input.</source>
+        <translation>声音服务器没有提供输入。</translation>
+    </message>
+    <message>
+        <source>The input &quot;%1&quot; cannot be connected.</source>
+        <translation>无法连接输入“%1”。</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonContent</name>
     <message>
         <source>Effect</source>
@@ -2445,7 +2484,7 @@
     </message>
     <message>
         <source>Rows of the array (default: by the number of taxels).</source>
-        <translation>阵列的行数（默认由触元数决定）。</translation>
+        <translation>阵列的行数（默认由触觉单元数决定）。</translation>
     </message>
     <message>
         <source>Columns of the array.</source>
@@ -2453,7 +2492,7 @@
     </message>
     <message>
         <source>Distance between taxels in mm.</source>
-        <translation>触元间距，单位 mm。</translation>
+        <translation>触觉单元间距，单位 mm。</translation>
     </message>
     <message>
         <source>MM</source>
@@ -2485,7 +2524,7 @@
     </message>
     <message>
         <source>Load from which a taxel is in contact (default 0.2).</source>
-        <translation>触元视为接触的最小载荷（默认 0.2）。</translation>
+        <translation>触觉单元视为接触的最小载荷（默认 0.2）。</translation>
     </message>
     <message>
         <source>LOAD</source>
@@ -2963,7 +3002,7 @@ Examples:
     </message>
     <message>
         <source>difference of a taxel from the scene with all effects, root mean square of a frame</source>
-        <translation>触元与含全部效应的场景之差，按帧取均方根</translation>
+        <translation>触觉单元与含全部效应的场景之差，按帧取均方根</translation>
     </message>
     <message>
         <source>10 ms of an arm that touches rubber</source>
@@ -3007,11 +3046,11 @@ Examples:
     </message>
     <message>
         <source>Gains of an array&apos;s taxels from a press</source>
-        <translation>由一次按压求阵列触元的增益</translation>
+        <translation>由一次按压求阵列触觉单元的增益</translation>
     </message>
     <message>
         <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
-        <translation>相对真实增益的比例，整个阵列的均方根；被排除的触元按原值计</translation>
+        <translation>相对真实增益的比例，整个阵列的均方根；被排除的触觉单元按原值计</translation>
     </message>
 </context>
 <context>
@@ -3719,6 +3758,14 @@ Examples:
         <source>the temperature of chip %1 changed by %2 K while it was probed: what the sensor reads at rest moves with it. Wait until it is warm</source>
         <translation>探测期间芯片 %1 的温度变化了 %2 K：传感器的静止读数随之变化。请等待其预热</translation>
     </message>
+    <message>
+        <source>this is for a bracelet on a sound card</source>
+        <translation>此选项用于声卡上的手环</translation>
+    </message>
+    <message>
+        <source>Of a bracelet on a sound card: play clicks on tactor 1 and measure when they are heard on this input, at which an accelerometer or a cable is</source>
+        <translation>对于声卡上的手环：在致动器 1 上播放咔嗒声，并测量它们何时在此输入（接有加速度计或电缆）上被听到</translation>
+    </message>
 </context>
 <context>
     <name>DriverText</name>
@@ -4421,7 +4468,7 @@ Examples:
     </message>
     <message>
         <source>there are no taxel columns</source>
-        <translation>没有触元列</translation>
+        <translation>没有触觉单元列</translation>
     </message>
     <message>
         <source>the columns time_s, t0, t1, ...</source>
@@ -4429,7 +4476,7 @@ Examples:
     </message>
     <message>
         <source>the file has %1 taxel columns</source>
-        <translation>文件有 %1 个触元列</translation>
+        <translation>文件有 %1 个触觉单元列</translation>
     </message>
     <message>
         <source>%1 = %2 rows x %3 columns</source>
@@ -4479,7 +4526,7 @@ Examples:
     <name>FrameOptionText</name>
     <message>
         <source>%1 is given, a taxel from 0 to %2 is expected</source>
-        <translation>给出的是 %1，应为 0 至 %2 的触元</translation>
+        <translation>给出的是 %1，应为 0 至 %2 的触觉单元</translation>
     </message>
     <message>
         <source>Rows of the array</source>
@@ -4487,11 +4534,11 @@ Examples:
     </message>
     <message>
         <source>Distance of neighbouring taxels in mm</source>
-        <translation>相邻触元的间距，mm</translation>
+        <translation>相邻触觉单元的间距，mm</translation>
     </message>
     <message>
         <source>Load in N from which a taxel is in contact</source>
-        <translation>触元视为接触的最小载荷，N</translation>
+        <translation>触觉单元视为接触的最小载荷，N</translation>
     </message>
     <message>
         <source>The raw values fall under load</source>
@@ -4503,11 +4550,11 @@ Examples:
     </message>
     <message>
         <source>Numbers of taxels to leave out, such as 0,17</source>
-        <translation>要排除的触元编号，例如 0,17</translation>
+        <translation>要排除的触觉单元编号，例如 0,17</translation>
     </message>
     <message>
         <source>Weight the taxels with their load to find the principal axis</source>
-        <translation>按载荷对触元加权来求主轴</translation>
+        <translation>按载荷对触觉单元加权来求主轴</translation>
     </message>
     <message>
         <source>Find the threshold in each frame; --threshold is the least</source>
@@ -4515,7 +4562,7 @@ Examples:
     </message>
     <message>
         <source>Force and centre of pressure over taxels in contact, not over the whole array</source>
-        <translation>力和压力中心只对接触的触元计算，而非整个阵列</translation>
+        <translation>力和压力中心只对接触的触觉单元计算，而非整个阵列</translation>
     </message>
     <message>
         <source>Summits that rise less than this share of the frame&apos;s peak are no contacts of their own</source>
@@ -4523,7 +4570,7 @@ Examples:
     </message>
     <message>
         <source>Contacts of fewer taxels are dropped</source>
-        <translation>触元数更少的接触将被舍弃</translation>
+        <translation>触觉单元数更少的接触将被舍弃</translation>
     </message>
     <message>
         <source>the output would replace the input</source>
@@ -4531,7 +4578,7 @@ Examples:
     </message>
     <message>
         <source>Gains of the taxels, as &quot;teleta gains&quot; writes them</source>
-        <translation>触元的增益，由“teleta gains”写出</translation>
+        <translation>触觉单元的增益，由“teleta gains”写出</translation>
     </message>
     <message>
         <source>%1 is given, a number of columns, or columns such as 2..85 are expected</source>
@@ -4539,7 +4586,7 @@ Examples:
     </message>
     <message>
         <source>Columns of the array; or columns of a table of another program that are taxels, from 1, such as 2..85</source>
-        <translation>阵列的列数；或其他程序的表格中作为触元的列，从 1 开始，例如 2..85</translation>
+        <translation>阵列的列数；或其他程序的表格中作为触觉单元的列，从 1 开始，例如 2..85</translation>
     </message>
     <message>
         <source>Frames per second of a file without times</source>
@@ -4571,15 +4618,15 @@ Examples:
     </message>
     <message>
         <source>Frames of the unloaded array, whose mean is subtracted; or of the recording itself the median of each taxel, the mean of the first half second, or its value while it is untouched, in at least one frame in ten</source>
-        <translation>空载阵列的帧（减去其均值）；或取自记录本身：每个触元的中位数、最初半秒的均值，或其未被触碰时（至少十帧中有一帧）的值</translation>
+        <translation>空载阵列的帧（减去其均值）；或取自记录本身：每个触觉单元的中位数、最初半秒的均值，或其未被触碰时（至少十帧中有一帧）的值</translation>
     </message>
     <message>
         <source>Add the place of deepest pressure, finer than the taxels, also on a strip</source>
-        <translation>添加压力最大的位置，精度高于触元，条形传感器也可用</translation>
+        <translation>添加压力最大的位置，精度高于触觉单元，条形传感器也可用</translation>
     </message>
     <message>
         <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
-        <translation>触元静止时载荷的标准差（N），用于峰值位置的标准误差</translation>
+        <translation>触觉单元静止时载荷的标准差（N），用于峰值位置的标准误差</translation>
     </message>
 </context>
 <context>
@@ -4633,7 +4680,7 @@ Examples:
     </message>
     <message>
         <source>Taxel %1, row %2, column %3</source>
-        <translation>触元 %1，第 %2 行，第 %3 列</translation>
+        <translation>触觉单元 %1，第 %2 行，第 %3 列</translation>
     </message>
     <message>
         <source>%1, not used</source>
@@ -4648,7 +4695,7 @@ Examples:
     </message>
     <message>
         <source>Taxels used</source>
-        <translation>使用的触元</translation>
+        <translation>使用的触觉单元</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4692,7 +4739,7 @@ Examples:
     </message>
     <message>
         <source>These taxels are not used: %1.</source>
-        <translation>以下触元不使用：%1。</translation>
+        <translation>以下触觉单元不使用：%1。</translation>
     </message>
     <message>
         <source>The response changes by %1 % along x and %2 % along y: the load may have been uneven. Turn what presses round by half, press again and give both files.</source>
@@ -4700,7 +4747,7 @@ Examples:
     </message>
     <message>
         <source>Gain of each taxel from frames under an even load</source>
-        <translation>由均匀载荷下的帧求各触元的增益</translation>
+        <translation>由均匀载荷下的帧求各触觉单元的增益</translation>
     </message>
     <message>
         <source>Recorded frames in which an even load presses on the whole array, a file a press: time_s,t0,t1,...</source>
@@ -5091,7 +5138,7 @@ Examples:
     </message>
     <message>
         <source>Point at a taxel to read it.</source>
-        <translation>将鼠标指向触元以读取数值。</translation>
+        <translation>将鼠标指向触觉单元以读取数值。</translation>
     </message>
     <message>
         <source>No new data: the last frame is shown.</source>
@@ -5103,7 +5150,7 @@ Examples:
     </message>
     <message>
         <source>shear, a taxel&apos;s width is %1</source>
-        <translation>剪切，触元宽度为 %1</translation>
+        <translation>剪切，触觉单元宽度为 %1</translation>
     </message>
     <message>
         <source>extrapolated</source>
@@ -5127,7 +5174,7 @@ Examples:
     </message>
     <message>
         <source>no taxel</source>
-        <translation>无触元</translation>
+        <translation>无触觉单元</translation>
     </message>
     <message>
         <source>shear %1</source>
@@ -5139,7 +5186,7 @@ Examples:
     </message>
     <message>
         <source>taxel %1</source>
-        <translation>触元 %1</translation>
+        <translation>触觉单元 %1</translation>
     </message>
     <message>
         <source>%1   %2   %3   x %4 mm, y %5 mm</source>
@@ -5245,7 +5292,7 @@ Examples:
     </message>
     <message>
         <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
-        <translation>触元视为接触的载荷，写入记录的设置</translation>
+        <translation>触觉单元视为接触的载荷，写入记录的设置</translation>
     </message>
     <message>
         <source>this is for MCAP files only</source>
@@ -6992,7 +7039,7 @@ Examples:
     </message>
     <message>
         <source>Each block: the largest of %1 × %1 taxels</source>
-        <translation>每块：%1 × %1 个触元中的最大值</translation>
+        <translation>每块：%1 × %1 个触觉单元中的最大值</translation>
     </message>
     <message>
         <source>Cylinder enlarged to fit: radius %1, length %2</source>
@@ -8088,6 +8135,10 @@ x %4，y %5
         <source>%1 % of a period, longest %2 %, %3 missed</source>
         <translation>周期的 %1 %，最长 %2 %，错过 %3 个</translation>
     </message>
+    <message>
+        <source>%1 ms, as measured</source>
+        <translation>%1 ms，为测量值</translation>
+    </message>
 </context>
 <context>
     <name>PlanContent</name>
@@ -8467,6 +8518,21 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordedLoads</name>
+    <message>
+        <source>the array does not have this</source>
+        <translation>阵列没有此项</translation>
+    </message>
+    <message>
+        <source>this is listed twice</source>
+        <translation>此项出现了两次</translation>
+    </message>
+    <message>
+        <source>least is above greatest</source>
+        <translation>least 大于 greatest</translation>
+    </message>
+</context>
+<context>
     <name>RecordedSignalsText</name>
     <message>
         <source>The recording has no &quot;%1&quot;.</source>
@@ -8807,7 +8873,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Load from which a taxel is in contact; otherwise as it was recorded</source>
-        <translation>触元视为接触的最小载荷；默认与记录时相同</translation>
+        <translation>触觉单元视为接触的最小载荷；默认与记录时相同</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) were not printed</source>
@@ -9199,11 +9265,11 @@ Run %2 --help for more.
     <name>RestText</name>
     <message>
         <source>The frames do not show the value of taxel %1 without load: it is touched in nearly all of them, or nothing touches the array</source>
-        <translation>这些帧没有显示触元 %1 的空载值：它几乎在所有帧中都被触碰，或阵列未被触碰</translation>
+        <translation>这些帧没有显示触觉单元 %1 的空载值：它几乎在所有帧中都被触碰，或阵列未被触碰</translation>
     </message>
     <message>
         <source>frames of the unloaded array, their median, or a dead taxel</source>
-        <translation>空载阵列的帧、其中位数，或标为失效触元</translation>
+        <translation>空载阵列的帧、其中位数，或标为失效触觉单元</translation>
     </message>
 </context>
 <context>
@@ -10086,7 +10152,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>which taxels are dead is not clear</source>
-        <translation>无法确定哪些触元失效</translation>
+        <translation>无法确定哪些触觉单元失效</translation>
     </message>
     <message>
         <source>either &quot;count&quot; or &quot;taxels&quot;</source>
@@ -10305,7 +10371,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>saturated taxel</source>
-        <translation>触元饱和</translation>
+        <translation>触觉单元饱和</translation>
     </message>
     <message>
         <source>distance from the measured pose</source>
@@ -11213,6 +11279,25 @@ Run teleta-site --help for more.
         <source>at least %1 ms</source>
         <translation>至少 %1 ms</translation>
     </message>
+    <message>
+        <source>there is no latency that varies</source>
+        <translation>没有可变化的延迟</translation>
+    </message>
+    <message>
+        <source>latency_ms as well</source>
+        <translation>同时给出 latency_ms</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLatency</name>
+    <message>
+        <source>Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.</source>
+        <translation>在 %3 上只听到 %2 次咔嗒声中的 %1 次，其噪声达到满量程的 %4。</translation>
+    </message>
+    <message>
+        <source>an accelerometer at tactor 1, or a cable from its output to this input</source>
+        <translation>致动器 1 上的加速度计，或从其输出到此输入的电缆</translation>
+    </message>
 </context>
 <context>
     <name>SourceText</name>
@@ -11875,7 +11960,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Active taxels</source>
-        <translation>活动触元</translation>
+        <translation>活动触觉单元</translation>
     </message>
     <message>
         <source>force</source>
@@ -14289,7 +14374,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>the table has %1 columns of taxels</source>
-        <translation>表格有 %1 列触元</translation>
+        <translation>表格有 %1 列触觉单元</translation>
     </message>
     <message>
         <source>from 1 to %1</source>
@@ -14297,7 +14382,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>column %1 is that of the times, and one of the taxels</source>
-        <translation>列 %1 既是时间列，又是触元列</translation>
+        <translation>列 %1 既是时间列，又是触觉单元列</translation>
     </message>
     <message>
         <source>either</source>
@@ -14372,11 +14457,11 @@ Run teleta-site --help for more.
     <name>TaxelGainFile</name>
     <message>
         <source>taxel %1 is missing</source>
-        <translation>缺少触元 %1</translation>
+        <translation>缺少触觉单元 %1</translation>
     </message>
     <message>
         <source>the taxels 0 to %1</source>
-        <translation>触元 0 至 %1</translation>
+        <translation>触觉单元 0 至 %1</translation>
     </message>
     <message>
         <source>the %1 is &quot;%2&quot;</source>
@@ -14393,7 +14478,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>each taxel once</source>
-        <translation>每个触元一次</translation>
+        <translation>每个触觉单元一次</translation>
     </message>
     <message>
         <source>a number from %1 to %2, or NA</source>
@@ -14405,11 +14490,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>taxel %1 is listed in row %2, column %3</source>
-        <translation>触元 %1 被写在第 %2 行、第 %3 列</translation>
+        <translation>触觉单元 %1 被写在第 %2 行、第 %3 列</translation>
     </message>
     <message>
         <source>taxel %1 is listed twice</source>
-        <translation>触元 %1 出现两次</translation>
+        <translation>触觉单元 %1 出现两次</translation>
     </message>
     <message>
         <source>the gain is not a number or out of range</source>
@@ -14428,7 +14513,7 @@ Run teleta-site --help for more.
     <name>TaxelGains</name>
     <message>
         <source>Only %1 of %2 taxels feel the load.</source>
-        <translation>%2 个触元中只有 %1 个感受到载荷。</translation>
+        <translation>%2 个触觉单元中只有 %1 个感受到载荷。</translation>
     </message>
     <message>
         <source>Only %1 frames are under load.</source>
@@ -14452,7 +14537,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>No taxel is good in all presses.</source>
-        <translation>没有在所有按压中都良好的触元。</translation>
+        <translation>没有在所有按压中都良好的触觉单元。</translation>
     </message>
     <message>
         <source>presses of the whole array</source>
@@ -14460,11 +14545,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Most taxels read the same value in all frames: %1.</source>
-        <translation>大多数触元在所有帧中的读数都相同：%1。</translation>
+        <translation>大多数触觉单元在所有帧中的读数都相同：%1。</translation>
     </message>
     <message>
         <source>a load that the taxels can measure</source>
-        <translation>触元能够测量的载荷</translation>
+        <translation>触觉单元能够测量的载荷</translation>
     </message>
     <message>
         <source>at least %1, under a smaller load</source>
@@ -14476,7 +14561,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Only %1 frames under load are within the range of the taxels.</source>
-        <translation>除 %1 帧外，受载各帧中的触元都已到达量程上限。</translation>
+        <translation>除 %1 帧外，受载各帧中的触觉单元都已到达量程上限。</translation>
     </message>
     <message>
         <source>The frames have %1 values in total.</source>
@@ -14527,11 +14612,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>First frame: taxel, x and y in mm, and its x, y and z in %1</source>
-        <translation>第一帧：触元、x 和 y（mm）以及其 x、y、z 分量（%1）</translation>
+        <translation>第一帧：触觉单元、x 和 y（mm）以及其 x、y、z 分量（%1）</translation>
     </message>
     <message>
         <source>First frame: taxel, x and y in mm, and its load in %1</source>
-        <translation>第一帧：触元、x 和 y（mm）以及其载荷（%1）</translation>
+        <translation>第一帧：触觉单元、x 和 y（mm）以及其载荷（%1）</translation>
     </message>
 </context>
 <context>
@@ -14760,7 +14845,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>taxels %1 and %2 are at the same place</source>
-        <translation>触元 %1 和 %2 位于同一位置</translation>
+        <translation>触觉单元 %1 和 %2 位于同一位置</translation>
     </message>
     <message>
         <source>different places; they count from 0</source>
@@ -16594,7 +16679,7 @@ Run teleta-site --help for more.
     <name>teleta::calibrate::GainsView</name>
     <message>
         <source>%1 of %2 taxels have gains from %3 to %4.</source>
-        <translation>%2 个触元中有 %1 个的增益在 %3 至 %4 之间。</translation>
+        <translation>%2 个触觉单元中有 %1 个的增益在 %3 至 %4 之间。</translation>
     </message>
     <message numerus="yes">
         <source>%n dead</source>
@@ -16635,7 +16720,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>no gains: every taxel counts as it is</source>
-        <translation>无增益：每个触元按原值计</translation>
+        <translation>无增益：每个触觉单元按原值计</translation>
     </message>
     <message>
         <source>gains in use, saved</source>
@@ -16661,15 +16746,15 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>%1 of %2 taxels are under load.</source>
-        <translation>%2 个触元中有 %1 个受载。</translation>
+        <translation>%2 个触觉单元中有 %1 个受载。</translation>
     </message>
     <message>
         <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
-        <translation>等待一半以上的触元受载：现在 %1 / %2。</translation>
+        <translation>等待一半以上的触觉单元受载：现在 %1 / %2。</translation>
     </message>
     <message>
         <source>Keep pressing: %1 of %2 taxels are under load.</source>
-        <translation>请继续按压：%2 个触元中有 %1 个受载。</translation>
+        <translation>请继续按压：%2 个触觉单元中有 %1 个受载。</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -16725,11 +16810,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>A simulated plate presses evenly on an array whose taxels differ</source>
-        <translation>模拟的平板均匀按压一个触元各不相同的阵列</translation>
+        <translation>模拟的平板均匀按压一个触觉单元各不相同的阵列</translation>
     </message>
     <message>
         <source>Gains of the taxels</source>
-        <translation>触元的增益</translation>
+        <translation>触觉单元的增益</translation>
     </message>
     <message>
         <source>Share of the press that has been collected</source>
@@ -16737,7 +16822,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Calibration of an array&apos;s taxels</source>
-        <translation>阵列触元的标定</translation>
+        <translation>阵列触觉单元的标定</translation>
     </message>
     <message>
         <source>The least certain gain has a standard error of %1 %.</source>
@@ -16789,11 +16874,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Every taxel counts as it is. Its gain will be shown here.</source>
-        <translation>每个触元按原值计。各触元所乘的系数将显示在这里。</translation>
+        <translation>每个触觉单元按原值计。各触觉单元所乘的系数将显示在这里。</translation>
     </message>
     <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
-        <translation>红色触元感受偏小而被调高，蓝色触元被调低，带斜线的不使用。用方向键或鼠标读取单个触元。</translation>
+        <translation>红色触觉单元感受偏小而被调高，蓝色触觉单元被调低，带斜线的不使用。用方向键或鼠标读取单个触觉单元。</translation>
     </message>
 </context>
 <context>
@@ -18479,7 +18564,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Taxel gains</source>
-        <translation>触元增益</translation>
+        <translation>触觉单元增益</translation>
     </message>
     <message>
         <source>Unsaved calibration</source>
@@ -18497,7 +18582,7 @@ Run teleta-site --help for more.
     <message>
         <source>The taxel gains of %1 are not saved.</source>
         <comment>a source</comment>
-        <translation>%1 的触元增益尚未保存。</translation>
+        <translation>%1 的触觉单元增益尚未保存。</translation>
     </message>
     <message>
         <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
@@ -19419,7 +19504,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Columns of a table that are taxels, counted from 1</source>
-        <translation>表中作为触元的列，从 1 数起</translation>
+        <translation>表中作为触觉单元的列，从 1 数起</translation>
     </message>
     <message>
         <source>name or number of the column</source>
@@ -19460,7 +19545,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>&amp;Columns of the taxels:</source>
-        <translation>触元的列(&amp;C)：</translation>
+        <translation>触觉单元的列(&amp;C)：</translation>
     </message>
     <message>
         <source>Column of the &amp;times:</source>
@@ -19501,13 +19586,13 @@ Run teleta-site --help for more.
         <source>%n frame(s) of %1 × %2 taxels, %3 to %4</source>
         <extracomment>Numbers of rows and columns, lowest and highest value</extracomment>
         <translation>
-            <numerusform>%n 帧，%1 × %2 个触元，%3 至 %4</numerusform>
+            <numerusform>%n 帧，%1 × %2 个触觉单元，%3 至 %4</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>The first %n frame(s) of %1 × %2 taxels, %3 to %4</source>
         <translation>
-            <numerusform>前 %n 帧，%1 × %2 个触元，%3 至 %4</numerusform>
+            <numerusform>前 %n 帧，%1 × %2 个触觉单元，%3 至 %4</numerusform>
         </translation>
     </message>
     <message>
@@ -20355,7 +20440,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>What has to be measured: the motors of the bracelet, the camera in the tube, the taxels</source>
-        <translation>需要测量的内容：手环的电机、管内的相机、触元</translation>
+        <translation>需要测量的内容：手环的电机、管内的相机、触觉单元</translation>
     </message>
     <message>
         <source>Re&amp;start</source>
@@ -20875,6 +20960,10 @@ Run teleta-site --help for more.
     <message>
         <source>Chip %1: %2</source>
         <translation>芯片 %1：%2</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moved with temperature while it was recorded.</source>
+        <translation>记录期间，其静止读数随温度发生了变化。</translation>
     </message>
 </context>
 <context>
@@ -21960,12 +22049,12 @@ Run teleta-site --help for more.
     <message numerus="yes">
         <source>%n taxel(s), as in the file</source>
         <translation>
-            <numerusform>%n 个触元，与文件一致</numerusform>
+            <numerusform>%n 个触觉单元，与文件一致</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 taxels, but the file has %2</source>
-        <translation>%1 个触元，但文件中有 %2 个</translation>
+        <translation>%1 个触觉单元，但文件中有 %2 个</translation>
     </message>
     <message>
         <source>Recording of the unloaded array</source>
@@ -21977,11 +22066,11 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Choose the gains of the taxels</source>
-        <translation>选择触元的增益</translation>
+        <translation>选择触觉单元的增益</translation>
     </message>
     <message>
         <source>Gains of the taxels</source>
-        <translation>触元的增益</translation>
+        <translation>触觉单元的增益</translation>
     </message>
     <message>
         <source>Gains (*.csv)</source>
@@ -21989,7 +22078,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Gains of the ta&amp;xels:</source>
-        <translation>触元的增益(&amp;X)：</translation>
+        <translation>触觉单元的增益(&amp;X)：</translation>
     </message>
 </context>
 <context>
@@ -24966,7 +25055,7 @@ Enter what you assume on the left, and choose Plan.</source>
     <message numerus="yes">
         <source>Tared, %n taxel(s) without a reading</source>
         <translation>
-            <numerusform>已去皮，%n 个触元无读数</numerusform>
+            <numerusform>已去皮，%n 个触觉单元无读数</numerusform>
         </translation>
     </message>
     <message>
@@ -25007,7 +25096,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>A taxel is in contact from this load on</source>
-        <translation>触元从此载荷起视为接触</translation>
+        <translation>触觉单元从此载荷起视为接触</translation>
     </message>
     <message>
         <source>&amp;Automatic threshold</source>
@@ -25035,7 +25124,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>Which taxels the principal axis is computed from</source>
-        <translation>由哪些触元计算主轴</translation>
+        <translation>由哪些触觉单元计算主轴</translation>
     </message>
     <message>
         <source>&amp;Force over:</source>
@@ -25047,7 +25136,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>active taxels</source>
-        <translation>活动触元</translation>
+        <translation>活动触觉单元</translation>
     </message>
     <message>
         <source>&amp;Edge above:</source>
@@ -25076,15 +25165,15 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source> taxel</source>
-        <translation> 个触元</translation>
+        <translation> 个触觉单元</translation>
     </message>
     <message>
         <source> taxels</source>
-        <translation> 个触元</translation>
+        <translation> 个触觉单元</translation>
     </message>
     <message>
         <source>taxel gains in use</source>
-        <translation>正在使用触元增益</translation>
+        <translation>正在使用触觉单元增益</translation>
     </message>
     <message>
         <source>Two peaks count as one contact when the lower one rises less than this above the saddle between them, in percent of the highest peak of the frame</source>
@@ -25092,11 +25181,11 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>In taxels; smaller contacts are ignored</source>
-        <translation>以触元计；触元数更少的接触将被忽略</translation>
+        <translation>以触觉单元计；触觉单元数更少的接触将被忽略</translation>
     </message>
     <message>
         <source>active taxels equally</source>
-        <translation>活动触元等权</translation>
+        <translation>活动触觉单元等权</translation>
     </message>
     <message>
         <source>weighted by load</source>
@@ -25104,11 +25193,11 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>Whole image: adds up every load. Active taxels: leaves out the noise of unloaded taxels</source>
-        <translation>整幅图像计入所有载荷；活动触元则排除空载触元的噪声</translation>
+        <translation>整幅图像计入所有载荷；活动触觉单元则排除空载触觉单元的噪声</translation>
     </message>
     <message>
         <source>Reset everything but the tare and the taxel gains</source>
-        <translation>除去皮和触元增益外全部恢复默认值</translation>
+        <translation>除去皮和触觉单元增益外全部恢复默认值</translation>
     </message>
 </context>
 <context>
@@ -25143,7 +25232,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>Write each load into its taxel where there is room</source>
-        <translation>空间足够时将载荷写入触元</translation>
+        <translation>空间足够时将载荷写入触觉单元</translation>
     </message>
     <message>
         <source>heatmap</source>
@@ -25171,7 +25260,7 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
     <message>
         <source>Dead taxel: its value is not used.</source>
-        <translation>失效触元：其值不被使用。</translation>
+        <translation>失效触觉单元：其值不被使用。</translation>
     </message>
     <message>
         <source>Centre of &amp;pressure</source>
@@ -25200,12 +25289,12 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Loads from 0 to %1. Taxels below the threshold of %2 are not in contact.
 Double-click to type the upper end.</source>
-        <translation>载荷从 0 到 %1。低于阈值 %2 的触元不属于接触。
+        <translation>载荷从 0 到 %1。低于阈值 %2 的触觉单元不属于接触。
 双击可输入上端。</translation>
     </message>
     <message>
         <source>&lt;p&gt;The load of every taxel of the array, seen from outside the skin: x points to the right, y up.&lt;/p&gt;&lt;p&gt;Coloured outlines are contacts, each with the number under which it is followed. × is the centre of pressure, ○ the centre of contact, the line the principal axis. Hatched taxels are dead and carry no load. Arrows are the force along the surface, of arrays that measure it; zoom in where taxels are too small for them.&lt;/p&gt;&lt;p&gt;Ctrl+wheel zooms, drag moves, double click shows the whole array. Double-click the colour bar to type its upper end. The arrow keys read taxel by taxel.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;阵列中每个触元的载荷，从皮肤外侧看：x 向右，y 向上。&lt;/p&gt;&lt;p&gt;彩色轮廓线为接触，各带其跟踪编号。× 为压力中心，○ 为接触中心，直线为主轴。带斜线的触元已失效，不承载。箭头是沿表面的力（限能测量它的阵列）；触元太小画不下时请放大。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示整个阵列。双击颜色条可输入其上端。方向键逐个触元读数。&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;阵列中每个触觉单元的载荷，从皮肤外侧看：x 向右，y 向上。&lt;/p&gt;&lt;p&gt;彩色轮廓线为接触，各带其跟踪编号。× 为压力中心，○ 为接触中心，直线为主轴。带斜线的触觉单元已失效，不承载。箭头是沿表面的力（限能测量它的阵列）；触觉单元太小画不下时请放大。&lt;/p&gt;&lt;p&gt;Ctrl+滚轮缩放，拖动平移，双击显示整个阵列。双击颜色条可输入其上端。方向键逐个触觉单元读数。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Shear</source>

@@ -34,10 +34,13 @@ core::Expected<Opened> openArray(replay::RecordedConfig config, pipeline::Record
     config.array = std::move(source.array.description);
     config.jointStream = source.jointStream;
     config.wrenchStream = source.wrenchStream;
+    config.temperatureStream = source.temperatureStream;
+    config.chips = source.chips;
     config.arm = std::move(source.arm);
     TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
     auto array = std::make_shared<pipeline::TouchChannel>(std::make_unique<replay::RecordedArray>(player),
                                                           std::move(source.array.settings));
+    array->setLoads(std::move(source.array.loads));
     if (!source.jointStream)
         return array;
     if (const auto pad = player->config().arm.pad) {

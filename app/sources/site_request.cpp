@@ -45,8 +45,13 @@ openSkin(const std::shared_ptr<site_link::SiteClient>& site, const std::string& 
          const StreamInfo& stream) {
     TELETA_TRY(pipeline::RecordedArray array, pipeline::recordedArray(stream, site->file().name));
     array.description.recorded = false;
-    TELETA_TRY(auto source, site_link::RemoteArray::open(site, device, array.description));
-    return std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
+    const StreamInfo* temperatures = findStream(*site, device, StreamKind::numbers);
+    TELETA_TRY(auto source,
+               site_link::RemoteArray::open(site, device, array.description,
+                                            temperatures != nullptr ? temperatures->channels() : 0));
+    auto skin = std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
+    skin->setLoads(std::move(array.loads));
+    return skin;
 }
 
 /// The device whose frames are the skin of this arm; nothing: it has none, or the site does not send it.

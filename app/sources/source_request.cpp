@@ -282,12 +282,13 @@ core::Expected<Opened> openTaxels(const TaxelsRequest& request, const std::funct
         TELETA_TRY(loads, pipeline::FrameLoads::read(file.loads, file.grid.layout(), settings.loadUnit));
     }
     if (file.restFrames > 0) {
-        TELETA_TRY(settings.conditioning.tare, taxels::measureRest(file, cancelled));
+        TELETA_TRY(auto rest, taxels::measureRest(file, cancelled));
+        settings.conditioning.tare = std::move(rest.values);
+        settings.tareTemperatures_degC = std::move(rest.temperatures_degC);
     }
     TELETA_TRY(auto source, taxels::TaxelsDevice::open(std::move(file)));
     auto channel = std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(settings));
-    if (loads)
-        channel->setLoads(std::move(*loads));
+    channel->setLoads(std::move(loads));
     return channel;
 }
 

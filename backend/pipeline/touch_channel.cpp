@@ -42,6 +42,8 @@ TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelS
     m_current.dead.resize(layout.taxels());
     m_current.labels.resize(layout.taxels());
     m_settingsInUse.set(m_settings);
+    if (!m_settings.tareTemperatures_degC.empty())
+        m_drift.take(m_settings.tareTemperatures_degC);
 }
 
 TouchChannel::~TouchChannel() {
@@ -149,7 +151,8 @@ void TouchChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSin
 std::shared_ptr<const TouchTaps> TouchChannel::tapsInto(recording::StreamSink& sink, const std::string& name,
                                                         const ChannelSettings& inUse) const {
     auto taps = std::make_shared<TouchTaps>();
-    taps->frames = sink.addStream(arrayStream(framesStreamName(name), description(), inUse));
+    taps->frames = sink.addStream(
+        arrayStream(framesStreamName(name), description(), inUse, m_loads ? &*m_loads : nullptr));
     taps->features = sink.addStream(featureStream(name + "-features", description(), inUse.loadUnit));
     if (m_thermometers != nullptr)
         taps->temperatures = sink.addStream(numberStream(
@@ -195,7 +198,12 @@ void TouchChannel::takeTemperatures(std::span<const std::shared_ptr<const TouchT
                                            std::span<const double>(values), sample.discontinuity);
         m_drift.take(sample.values_degC);
     }
-    const bool isTold = m_drift.isTold() && !m_settings.conditioning.tare.empty();
+    const bool isTared = !m_settings.conditioning.tare.empty();
+    if (isTared && m_settings.tareTemperatures_degC.empty() && !m_drift.atTare().empty()) {
+        m_settings.tareTemperatures_degC = m_drift.atTare();
+        m_settingsInUse.set(m_settings); // nothing is computed with them: no new revision
+    }
+    const bool isTold = m_drift.isTold() && isTared;
     m_driftTold.set(isTold ? m_drift.largest() : std::nullopt);
 }
 
@@ -215,6 +223,7 @@ bool TouchChannel::takeCommands() {
     if (auto change = m_changes.take()) {
         change->conditioning.tare = m_settings.conditioning.tare;
         change->conditioning.taxelGain = m_settings.conditioning.taxelGain;
+        change->tareTemperatures_degC = m_settings.tareTemperatures_degC;
         applySettings(std::move(*change));
     }
     if (auto gain = m_gainChanges.take()) {
@@ -232,6 +241,7 @@ bool TouchChannel::takeCommands() {
         } else {
             ChannelSettings cleared = m_settings;
             cleared.conditioning.tare.clear();
+            cleared.tareTemperatures_degC.clear();
             applySettings(std::move(cleared));
         }
     }
@@ -290,6 +300,7 @@ void TouchChannel::accumulateTare(const core::SampleBlock& block, std::size_t in
                                              ? static_cast<float>(run.sum[taxel] / run.count[taxel])
                                              : std::numeric_limits<float>::quiet_NaN();
     m_tareRun.reset();
+    tared.tareTemperatures_degC.clear(); // the next ones that come
     m_drift.restart();
     applySettings(std::move(tared));
 }

@@ -55,8 +55,8 @@ public:
     ~TouchChannel() override;
 
     [[nodiscard]] const core::SourceDescription& description() const { return m_source->description(); }
-    /// The loads of each frame follow from its signals by this calibration. Before start().
-    void setLoads(FrameLoads loads) { m_loads = std::move(loads); }
+    /// The loads of each frame follow from its signals by this calibration; nothing: by none. Before start().
+    void setLoads(std::optional<FrameLoads> loads) { m_loads = std::move(loads); }
     [[nodiscard]] ChannelSummary summary() const override;
     [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }

@@ -25,6 +25,7 @@ struct PlaybackConfig {
     core::SourceDescription array;
     core::ArmDescription arm;                      ///< that wears the array
     bool hasWrench = false;                        ///< of that arm; RecordedPlayer::open() finds out
+    std::size_t chips = 0;                         ///< of the array that tell how warm they are
     bool jointsAlone = false;                      ///< the stream is the arm's; there is no array
     std::optional<core::CameraDescription> camera; ///< set: the stream is a camera's, not an array's
     std::optional<Span> span;                      ///< empty: from the first frame to the last
@@ -35,7 +36,7 @@ struct PlaybackConfig {
     bool startsQuietly = false; ///< the very first frame is not marked as a discontinuity
 
     std::size_t queueBlocks = 256;
-    std::size_t queueJoints = 16'384;
+    std::size_t queueJoints = 16'384; ///< of joint samples, of forces, and of temperatures
     std::size_t queuePictures = 8;
     std::shared_ptr<core::PacingClock> clock = std::make_shared<core::PacingClock>();
 };
@@ -43,10 +44,11 @@ struct PlaybackConfig {
 /// Streams of a .teleta recording.
 struct RecordedConfig : PlaybackConfig {
     std::string path;
-    std::size_t stream = 0;                     ///< number in the recording: an array, a camera, or an arm
-    std::optional<std::size_t> jointStream;     ///< of the arm that wears the array
-    std::optional<std::size_t> wrenchStream;    ///< of the sensor at that arm's wrist
-    std::optional<std::size_t> referenceStream; ///< of the camera; playback starts with its first picture
+    std::size_t stream = 0;                       ///< number in the recording: an array, a camera, or an arm
+    std::optional<std::size_t> jointStream;       ///< of the arm that wears the array
+    std::optional<std::size_t> wrenchStream;      ///< of the sensor at that arm's wrist
+    std::optional<std::size_t> temperatureStream; ///< of the array; each frame of it has `chips` numbers
+    std::optional<std::size_t> referenceStream;   ///< of the camera; playback starts with its first picture
 };
 
 /// A CSV file of tactile frames.

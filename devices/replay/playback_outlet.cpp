@@ -82,6 +82,16 @@ core::WrenchSample wrenchSampleAt(const PlaybackTrack& track, std::int64_t time_
     return sample;
 }
 
+core::TemperatureSample temperatureSampleAt(const PlaybackTrack& track, const PlayedFrame& frame) {
+    core::TemperatureSample sample{.time_ns = frame.time_ns,
+                                   .sourceTime_s = track.sourceTime_s(),
+                                   .values_degC = {},
+                                   .discontinuity = frame.jumped};
+    for (const double value : track.values<double>())
+        sample.values_degC.push_back(static_cast<float>(value));
+    return sample;
+}
+
 JointPlaybackOutlet::JointPlaybackOutlet(std::size_t queueSamples)
     : m_outlet(queueSamples, kSamplesPerBatch) {
 }

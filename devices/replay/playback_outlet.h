@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/camera_outlet.h"
+#include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/joint_outlet.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/interface.h"
@@ -123,5 +124,8 @@ private:
 [[nodiscard]] core::JointSample jointSampleAt(const PlaybackTrack& track, const PlayedFrame& frame);
 /// The force and torque at which a track stands. time_ns: when it was due.
 [[nodiscard]] core::WrenchSample wrenchSampleAt(const PlaybackTrack& track, std::int64_t time_ns);
+/// The temperatures at which a track stands.
+[[nodiscard]] core::TemperatureSample temperatureSampleAt(const PlaybackTrack& track,
+                                                          const PlayedFrame& frame);
 
 } // namespace teleta::replay

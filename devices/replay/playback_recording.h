@@ -66,8 +66,9 @@ struct PlaybackExtent {
 struct PlaybackTracks {
     std::unique_ptr<recording::Recording> recording; ///< in which the tracks read, for a .teleta file
     std::unique_ptr<PlaybackTrack> frames;
-    std::unique_ptr<PlaybackTrack> joints; ///< of the arm that wears the array; null: none
-    std::unique_ptr<PlaybackTrack> wrench; ///< forces and torques at the arm's wrist; null: none
+    std::unique_ptr<PlaybackTrack> joints;       ///< of the arm that wears the array; null: none
+    std::unique_ptr<PlaybackTrack> wrench;       ///< forces and torques at the arm's wrist; null: none
+    std::unique_ptr<PlaybackTrack> temperatures; ///< of the array's chips; null: none
     /// The reference of a camera's picture of this time if it differs from that of the last call (initially:
     /// from the first one); otherwise empty.
     std::function<core::GreyImage(std::int64_t time_ns)> referenceAt = [](std::int64_t) {

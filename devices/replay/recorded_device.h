@@ -3,10 +3,12 @@
 
 #include "backend/core/device/arm_device.h"
 #include "backend/core/device/camera_source.h"
+#include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
 #include "backend/core/error.h"
 #include "devices/replay/recorded_player.h"
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -41,7 +43,7 @@ private:
 };
 
 /// The array of a recording as a device, with its playback control.
-class RecordedArray : public core::TactileSource, public RecordedControl {
+class RecordedArray : public core::TactileSource, public core::ChipThermometers, public RecordedControl {
 public:
     using RecordedControl::RecordedControl;
     ~RecordedArray() override { player().stop(); }
@@ -56,6 +58,10 @@ public:
     }
     [[nodiscard]] core::DeviceStatus status() const override { return player().outlet().status(); }
     [[nodiscard]] core::PlaybackControl* playback() override { return this; }
+    [[nodiscard]] std::size_t chips() const override { return player().config().chips; }
+    [[nodiscard]] core::BoundedQueue<core::TemperatureSample>& temperatures() override {
+        return player().temperatures();
+    }
 };
 
 /// The camera of a recording as a device, with its playback control.

@@ -47,6 +47,7 @@ RecordedPlayer::RecordedPlayer(PlaybackConfig config, std::unique_ptr<PlaybackRe
     , m_outlet(makeOutlet(m_config))
     , m_joints(m_config.queueJoints)
     , m_wrenches(m_config.hasWrench ? m_config.queueJoints : 1)
+    , m_temperatures(m_config.chips > 0 ? m_config.queueJoints : 1)
     , m_box(m_config.clock, m_config.autoplay, m_config.loop, m_config.speed)
     , m_startsQuietly(m_config.startsQuietly) {
     m_shown.set({spanOf(m_recording->extent()).first_ns});
@@ -169,15 +170,17 @@ core::Expected<void> RecordedPlayer::obey(const PlaybackCommands& previous, bool
             m_shown.set({std::min(reached, m_config.span->last_ns)});
         // As fast as possible, frames run ahead of the clock.
         if (std::isinf(previous.speed))
-            m_jumped = m_jointsJumped = true;
+            m_jumped = m_jointsJumped = m_temperaturesJumped = true;
     }
     return m_active.steps != 0 ? stepBy(m_active.steps) : core::Expected<void>();
 }
 
 void RecordedPlayer::countDamage() {
-    m_damagedBlocks.store(m_tracks.frames->damagedBlocks() +
-                          (m_tracks.joints ? m_tracks.joints->damagedBlocks() : 0) +
-                          (m_tracks.wrench ? m_tracks.wrench->damagedBlocks() : 0));
+    std::uint64_t damaged = 0;
+    for (const PlaybackTrack* track :
+         {m_tracks.frames.get(), m_tracks.joints.get(), m_tracks.wrench.get(), m_tracks.temperatures.get()})
+        damaged += track != nullptr ? track->damagedBlocks() : 0;
+    m_damagedBlocks.store(damaged);
 }
 
 core::Expected<void> RecordedPlayer::seekTo(double time_s, std::int64_t at_ns) {
@@ -207,7 +210,7 @@ core::Expected<void> RecordedPlayer::seekTo(double time_s, std::int64_t at_ns) {
 }
 
 core::Expected<void> RecordedPlayer::waitFrom(std::int64_t time_ns, std::int64_t at_ns) {
-    m_jointsJumped = true;
+    m_jointsJumped = m_temperaturesJumped = true;
     anchorAt(time_ns, at_ns);
     m_shown.set({time_ns});
     return seekBeside(time_ns);
@@ -216,11 +219,13 @@ core::Expected<void> RecordedPlayer::waitFrom(std::int64_t time_ns, std::int64_t
 core::Expected<void> RecordedPlayer::seekBeside(std::int64_t time_ns) {
     if (m_tracks.joints)
         TELETA_CHECK(m_tracks.joints->seek(time_ns));
-    if (!m_tracks.wrench)
-        return {};
-    // What was measured last at that time is known then.
-    TELETA_CHECK(m_tracks.wrench->seek(time_ns));
-    TELETA_CHECK(m_tracks.wrench->back(1));
+    for (PlaybackTrack* track : {m_tracks.wrench.get(), m_tracks.temperatures.get()}) {
+        if (track == nullptr)
+            continue;
+        // What was measured last at that time is known then.
+        TELETA_CHECK(track->seek(time_ns));
+        TELETA_CHECK(track->back(1));
+    }
     return {};
 }
 
@@ -246,9 +251,9 @@ core::Expected<void> RecordedPlayer::stepBy(long long by) {
 /// Delivers the current frame now, as that of this time, also when paused.
 core::Expected<void> RecordedPlayer::show(std::int64_t time_ns, std::int64_t at_ns) {
     TELETA_CHECK(seekBeside(time_ns));
-    m_jointsJumped = true;
+    m_jointsJumped = m_temperaturesJumped = true;
     anchorAt(time_ns, at_ns);
-    TELETA_CHECK(deliverWrenches(time_ns));
+    TELETA_CHECK(deliverBeside(time_ns));
     take();
     m_shown.set({time_ns, m_tracks.frames->frame()});
     deliver();
@@ -277,7 +282,7 @@ core::Expected<void> RecordedPlayer::playEnd() {
         const bool isLate = unpaced || now - end_ns > kLongestLag_ns;
         return seekTo(0.0, isLate ? now : end_ns);
     }
-    TELETA_CHECK(deliverWrenches(last_ns));
+    TELETA_CHECK(deliverBeside(last_ns));
     m_shown.set({last_ns, shown.frame});
     endAs(core::DeviceState::finished);
     return {};
@@ -311,7 +316,7 @@ core::Expected<void> RecordedPlayer::playDue() {
     const double since_ns = static_cast<double>(now - m_anchor_ns) * (unpaced ? 0.0 : m_active.speed);
     const std::int64_t reached_ns = std::min<std::int64_t>(m_anchorTime_ns + std::llround(since_ns),
                                                            spanOf(m_recording->extent()).last_ns);
-    TELETA_CHECK(deliverWrenches(std::max(first_ns, reached_ns)));
+    TELETA_CHECK(deliverBeside(std::max(first_ns, reached_ns)));
     while (!m_outlet->isFull()) {
         if (jointsNext() && isDue(*joints)) {
             deliverJoints();
@@ -361,12 +366,22 @@ void RecordedPlayer::deliverJoints() {
     give(m_joints, std::move(sample));
 }
 
-core::Expected<void> RecordedPlayer::deliverWrenches(std::int64_t upTo_ns) {
-    PlaybackTrack* wrench = m_tracks.wrench.get();
-    while (wrench != nullptr && !wrench->atEnd() && wrench->time_ns() <= upTo_ns &&
-           !m_stop.stop_requested()) {
-        give(m_wrenches, wrenchSampleAt(*wrench, due_ns(wrench->time_ns())));
-        TELETA_CHECK(wrench->advance());
+core::Expected<void> RecordedPlayer::deliverBeside(std::int64_t upTo_ns) {
+    TELETA_CHECK(playUpTo(m_tracks.wrench.get(), upTo_ns, [this](const PlaybackTrack& wrench) {
+        give(m_wrenches, wrenchSampleAt(wrench, due_ns(wrench.time_ns())));
+    }));
+    return playUpTo(m_tracks.temperatures.get(), upTo_ns, [this](const PlaybackTrack& warm) {
+        const bool jumped = std::exchange(m_temperaturesJumped, false) || warm.jumps();
+        give(m_temperatures,
+             temperatureSampleAt(warm, {.time_ns = due_ns(warm.time_ns()), .jumped = jumped}));
+    });
+}
+
+template <typename Give>
+core::Expected<void> RecordedPlayer::playUpTo(PlaybackTrack* track, std::int64_t upTo_ns, const Give& give) {
+    while (track != nullptr && !track->atEnd() && track->time_ns() <= upTo_ns && !m_stop.stop_requested()) {
+        give(*track);
+        TELETA_CHECK(track->advance());
     }
     return {};
 }

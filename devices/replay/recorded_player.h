@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/bounded_queue.h"
@@ -60,8 +61,10 @@ public:
     [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() {
         return m_config.hasWrench ? &m_wrenches : nullptr;
     }
+    /// Of the array's chips, up to its newest frame.
+    [[nodiscard]] core::BoundedQueue<core::TemperatureSample>& temperatures() { return m_temperatures; }
     [[nodiscard]] const PlaybackConfig& config() const { return m_config; }
-    /// Blocks of the array and the joints that were skipped because they are damaged.
+    /// Blocks of the array and of what is played with it that were skipped because they are damaged.
     [[nodiscard]] std::uint64_t damagedBlocks() const { return m_damagedBlocks.load(); }
     /// Why it is lost.
     [[nodiscard]] core::Error error() const { return m_error.get(); }
@@ -91,8 +94,11 @@ private:
     void take();
     void deliver();
     void deliverJoints();
-    /// The forces that were read up to this time of the recording.
-    [[nodiscard]] core::Expected<void> deliverWrenches(std::int64_t upTo_ns);
+    /// The forces and temperatures that were read up to this time of the recording.
+    [[nodiscard]] core::Expected<void> deliverBeside(std::int64_t upTo_ns);
+    /// Plays a track up to this time. give: takes what it stands at.
+    template <typename Give>
+    [[nodiscard]] core::Expected<void> playUpTo(PlaybackTrack* track, std::int64_t upTo_ns, const Give& give);
     /// Puts the sample into a queue of the consumer; as fast as possible, it waits until there is room.
     template <typename Sample>
     void give(core::BoundedQueue<Sample>& queue, Sample sample);
@@ -116,6 +122,7 @@ private:
     std::unique_ptr<PlaybackOutlet> m_outlet;
     core::BoundedQueue<core::JointSample> m_joints;
     core::BoundedQueue<core::WrenchSample> m_wrenches;
+    core::BoundedQueue<core::TemperatureSample> m_temperatures;
     core::LatestCopy<Shown> m_shown; ///< what was played up to
     core::LatestCopy<core::Error> m_error;
     std::atomic<std::uint64_t> m_damagedBlocks{0};
@@ -130,6 +137,7 @@ private:
     bool m_startsQuietly;
     bool m_jumped = true; ///< before the next frame
     bool m_jointsJumped = true;
+    bool m_temperaturesJumped = true;
     std::int64_t m_anchor_ns = 0;
     std::int64_t m_anchorTime_ns = 0;
     std::uint64_t m_jointOverflowAtOpen = 0;

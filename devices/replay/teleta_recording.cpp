@@ -171,6 +171,9 @@ public:
             tracks.joints = std::make_unique<RecordedTrack>(*tracks.recording, *m_config.jointStream);
         if (m_config.wrenchStream)
             tracks.wrench = std::make_unique<RecordedTrack>(*tracks.recording, *m_config.wrenchStream);
+        if (m_config.temperatureStream)
+            tracks.temperatures =
+                std::make_unique<RecordedTrack>(*tracks.recording, *m_config.temperatureStream);
         if (m_config.referenceStream)
             tracks.referenceAt = [references = std::make_shared<RecordedReferences>(
                                       *tracks.recording, *m_config.referenceStream)](std::int64_t time_ns) {

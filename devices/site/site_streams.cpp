@@ -26,6 +26,7 @@ constexpr std::size_t kTimes_bytes = 16; ///< of one sample or frame
 constexpr std::string_view kJointsEnd = "-joints";
 constexpr std::string_view kFramesEnd = "-frames";
 constexpr std::string_view kWrenchEnd = "-wrench";
+constexpr std::string_view kTemperaturesEnd = "-temperatures";
 constexpr std::string_view kPicturesEnd = "-scene";
 
 std::size_t fitting(std::size_t bytesEach) {
@@ -52,11 +53,12 @@ Message messageOf(const site::BootName& boot, core::TappedFrames& block, std::si
 } // namespace
 
 std::string deviceOf(const recording::StreamInfo& stream) {
-    const std::string_view end = stream.kind == recording::StreamKind::joints   ? kJointsEnd
-                                 : stream.kind == recording::StreamKind::array  ? kFramesEnd
-                                 : stream.kind == recording::StreamKind::wrench ? kWrenchEnd
-                                 : recording::isColour(stream)                  ? kPicturesEnd
-                                                                                : std::string_view();
+    const std::string_view end = stream.kind == recording::StreamKind::joints    ? kJointsEnd
+                                 : stream.kind == recording::StreamKind::array   ? kFramesEnd
+                                 : stream.kind == recording::StreamKind::wrench  ? kWrenchEnd
+                                 : stream.kind == recording::StreamKind::numbers ? kTemperaturesEnd
+                                 : recording::isColour(stream)                   ? kPicturesEnd
+                                                                                 : std::string_view();
     std::string_view name = stream.name;
     if (end.empty() || !name.ends_with(end))
         return {};
@@ -73,6 +75,9 @@ StreamTopic topicOf(const recording::StreamInfo& stream, const SiteTopics& topic
         return {"image", topics.image(device), &ros::descriptorOf<ros::ImageFrame>(), kNewest};
     case recording::StreamKind::wrench:
         return {"wrench", topics.wrench(device), &ros::descriptorOf<ros::TactileBlock>(), kStreamed};
+    case recording::StreamKind::numbers:
+        return {"temperatures", topics.temperatures(device), &ros::descriptorOf<ros::TactileBlock>(),
+                kStreamed};
     default:
         return {"tactile", topics.tactile(device), &ros::descriptorOf<ros::TactileBlock>(), kStreamed};
     }
@@ -219,7 +224,7 @@ void SiteStreams::sendJoints(Stream& stream, core::TappedFrames& block) {
 
 void SiteStreams::sendFrames(Stream& stream, core::TappedFrames& block) {
     const std::size_t taxels = stream.info.channels();
-    std::vector<float> narrowed; // of forces, which are recorded in double precision
+    std::vector<float> narrowed; // of forces and temperatures, which are recorded in double precision
     if (stream.info.type == recording::ValueType::float64) {
         const std::span<const double> wide = numbersOf<double>(block);
         narrowed.assign(wide.begin(), wide.end());

@@ -24,11 +24,12 @@
 namespace teleta::site_link {
 
 /// The device that a stream of the running system belongs to: "pad" of "pad-frames"; empty: it is not sent.
+/// Of other numbers than those of a device's own sensors only temperatures are.
 [[nodiscard]] std::string deviceOf(const recording::StreamInfo& stream);
 
 /// Where such a stream is sent.
 struct StreamTopic {
-    const char* kind; ///< "joints", "tactile", "wrench", "image"
+    const char* kind; ///< "joints", "tactile", "temperatures", "wrench", "image"
     std::string name;
     const dds_topic_descriptor_t* type;
     ros::QosProfile profile;
@@ -36,10 +37,10 @@ struct StreamTopic {
 /// stream: of a device, deviceOf().
 [[nodiscard]] StreamTopic topicOf(const recording::StreamInfo& stream, const SiteTopics& topics);
 
-/// Sends joints, forces, frames and pictures of a site's devices to its consoles, from threads of its own.
-/// What is computed of them is not sent: the consoles compute it. Data threads leave copies in taps and never
-/// wait; what comes too fast is counted and told. Thread: any; no call waits but the destructor, for the
-/// threads to end.
+/// Sends joints, forces, frames, temperatures and pictures of a site's devices to its consoles, from threads
+/// of its own. What is computed of them is not sent: the consoles compute it. Data threads leave copies in
+/// taps and never wait; what comes too fast is counted and told. Thread: any; no call waits but the
+/// destructor, for the threads to end.
 class SiteStreams : public recording::StreamSink {
 public:
     static constexpr std::int64_t kPoll_ns = 4'000'000;

@@ -38,6 +38,10 @@ public:
     [[nodiscard]] std::string description(std::string_view arm) const { return below("description", arm); }
     [[nodiscard]] std::string joints(std::string_view arm) const { return below("joints", arm); }
     [[nodiscard]] std::string tactile(std::string_view array) const { return below("tactile", array); }
+    /// Of the chips of an array.
+    [[nodiscard]] std::string temperatures(std::string_view array) const {
+        return below("temperatures", array);
+    }
     [[nodiscard]] std::string wrench(std::string_view arm) const { return below("wrench", arm); }
     [[nodiscard]] std::string image(std::string_view camera) const { return below("image", camera); }
 

@@ -25,6 +25,7 @@ inline constexpr unsigned long kJackPortIsInput = 0x1;
 inline constexpr unsigned long kJackPortIsOutput = 0x2;
 inline constexpr unsigned long kJackPortIsPhysical = 0x4;
 inline constexpr unsigned long kJackPortIsTerminal = 0x10;
+inline constexpr int kJackCaptureLatency = 0;
 inline constexpr int kJackPlaybackLatency = 1;
 
 /// The functions of a JACK library that was loaded at run time: PipeWire's or JACK's own. It stays loaded.

@@ -28,6 +28,7 @@ constexpr std::array<std::uint32_t, 3> kRates_Hz{44'100, 48'000, 96'000};
 constexpr long long kLeastFrames = 16;
 constexpr long long kMostFrames = 2048;
 constexpr double kMostChannels = 256.0;
+constexpr double kLongestLatency_ms = 500.0;
 constexpr NumberRange kCarriers_Hz = NumberRange::between(20.0, 1000.0);
 
 void refuse(core::Keys& keys, std::string_view key, const QString& message, const QString& expected) {
@@ -158,6 +159,15 @@ void SoundBraceletFile::describeKeys(core::Keys& keys) {
     describeChannels(keys, *this);
     describeFrequencies(keys, *this);
     describeStrength(keys, *this);
+    keys.number(
+        "latency_ms", latency_ms, NumberRange::between(0.0, kLongestLatency_ms),
+        "From a frame to what it moves, as `teleta devices --probe FILE --latency INPUT` measured it; "
+        "the onset of stimuli counts from there");
+    keys.number("latency_spread_ms", latencySpread_ms, NumberRange::between(0.0, kLongestLatency_ms),
+                "How much it varied in that measurement, from the shortest to the longest");
+    if (latencySpread_ms && !latency_ms)
+        refuse(keys, "latency_spread_ms", SoundFileText::tr("there is no latency that varies"),
+               SoundFileText::tr("latency_ms as well"));
     keys.flag("shared", shared, "Other programs may play on the card at the same time");
 }
 

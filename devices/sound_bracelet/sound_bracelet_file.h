@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,6 +40,9 @@ struct SoundBraceletFile {
     std::array<std::uint32_t, core::kTactors> channels{1, 2, 3, 4, 5, 6};
     std::array<ToneSettings, core::kTactors> tones{};
     bool shared = false; ///< other programs may play on the card as well
+    /// From a frame to what it moves, as it was measured, and how much it varies; nothing: nobody did.
+    std::optional<double> latency_ms{};
+    std::optional<double> latencySpread_ms{};
 
     void describeKeys(core::Keys& keys);
 

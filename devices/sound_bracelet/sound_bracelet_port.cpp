@@ -92,6 +92,10 @@ core::Expected<core::OpenedBracelet> openSoundBraceletPort(const SoundBraceletFi
     description.serial = serialOf(file);
     description.maximumRate_Hz = std::min(kHighestRate_Hz, 1.0 / file.period_s());
     description.statedLatency_s = output->statedLatency_s();
+    if (file.latency_ms)
+        description.measuredLatency_s = 1e-3 * *file.latency_ms;
+    if (file.latencySpread_ms)
+        description.latencySpread_s = 1e-3 * *file.latencySpread_ms;
     return core::OpenedBracelet{
         std::make_unique<SoundBraceletPort>(std::move(engine), std::move(output), file.period_s()),
         std::move(description)};

@@ -109,13 +109,12 @@ core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimit
     return probe;
 }
 
-core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
-                                               const std::function<bool()>& cancelled) {
+core::Expected<RestReading> measureRest(const TaxelsFile& file, const std::function<bool()>& cancelled) {
     TELETA_TRY(auto link, openLink(file, nullptr));
     Listener sensor(file, std::move(link));
     const std::size_t taxels = file.grid.layout().values();
     const auto wanted = static_cast<std::size_t>(file.restFrames);
-    std::vector<std::vector<float>> readings(taxels);
+    std::vector<std::vector<float>> readings(taxels + file.temperatures);
     std::vector<float> loads(taxels);
     std::size_t frames = 0;
     const double wait_s = kRest_s + (file.rate_Hz > 0.0 ? 1.0 / file.rate_Hz : 0.0);
@@ -129,6 +128,9 @@ core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
             file.grid.place(frame.values, loads);
             for (std::size_t i = 0; i < taxels; ++i)
                 readings[i].push_back(loads[i]);
+            const auto warm = std::span(frame.values).last(file.temperatures);
+            for (std::size_t chip = 0; chip < warm.size(); ++chip)
+                readings[taxels + chip].push_back(warm[chip]);
             ++frames;
             end_ns = in(wait_s);
         }
@@ -140,12 +142,13 @@ core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
                 .arg(frames)
                 .arg(wanted),
             TaxelsText::tr("frames as the file describes; check with teleta devices --probe FILE"));
-    for (std::size_t i = 0; i < taxels; ++i) {
+    RestReading rest;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
         const auto middle = readings[i].begin() + static_cast<std::ptrdiff_t>(frames / 2);
         std::ranges::nth_element(readings[i], middle);
-        loads[i] = *middle;
+        (i < taxels ? rest.values : rest.temperatures_degC).push_back(*middle);
     }
-    return loads;
+    return rest;
 }
 
 } // namespace teleta::taxels

@@ -43,10 +43,16 @@ struct ProbeLimits {
 [[nodiscard]] core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimits& limits,
                                                       const std::function<bool()>& cancelled = {});
 
-/// What the unloaded array reads: the median of each taxel over the first file.restFrames frames; NaN where
-/// no taxel is. Each of them is waited for, also where the rate is not known. Error: as link::ByteLink::open;
-/// unavailable, one of them did not come in time; cancelled.
-[[nodiscard]] core::Expected<std::vector<float>> measureRest(const TaxelsFile& file,
-                                                             const std::function<bool()>& cancelled = {});
+/// What an unloaded array reads.
+struct RestReading {
+    std::vector<float> values;            ///< of the layout; NaN where no taxel is
+    std::vector<float> temperatures_degC; ///< of its chips; empty: they tell none
+};
+
+/// Measures it: the medians over the first file.restFrames frames. Each of them is waited for, also where the
+/// rate is not known. Error: as link::ByteLink::open; unavailable, one of them did not come in time;
+/// cancelled.
+[[nodiscard]] core::Expected<RestReading> measureRest(const TaxelsFile& file,
+                                                      const std::function<bool()>& cancelled = {});
 
 } // namespace teleta::taxels

@@ -19,11 +19,14 @@ struct BraceletTexts {
 };
 
 /// What a sound card reports of itself: no board answers, and nobody watches the coils.
-QStringList soundDetails(const core::SoundReport& sound, double statedLatency_s) {
+QStringList soundDetails(const core::SoundReport& sound, const core::BraceletDescription& bracelet) {
     return {
         BraceletTexts::tr("confirmed: played by the callback of the sound card"),
-        BraceletTexts::tr("latency at most %1 ms, as stated, not measured")
-            .arg(base::fixedDigits(1e3 * statedLatency_s, 1)),
+        std::isfinite(bracelet.measuredLatency_s)
+            ? BraceletTexts::tr("latency %1 ms, as measured")
+                  .arg(base::fixedDigits(1e3 * bracelet.measuredLatency_s, 1))
+            : BraceletTexts::tr("latency at most %1 ms, as stated, not measured")
+                  .arg(base::fixedDigits(1e3 * bracelet.statedLatency_s, 1)),
         BraceletTexts::tr("callback takes %1 % of a period, longest %2 %")
             .arg(base::fixedDigits(1e2 * sound.meanShare, 1), base::fixedDigits(1e2 * sound.longestShare, 1)),
         BraceletTexts::tr("periods missed: %1").arg(sound.missedPeriods)};
@@ -46,7 +49,7 @@ QStringList boardDetails(const core::BraceletSource& bracelet) {
                                    "C")
                      .arg(base::fixedDigits(telemetry.board.temperature_degC, 1));
     if (telemetry.board.sound)
-        lines << soundDetails(*telemetry.board.sound, bracelet.description().statedLatency_s);
+        lines << soundDetails(*telemetry.board.sound, bracelet.description());
     return lines;
 }
 

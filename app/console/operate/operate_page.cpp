@@ -478,7 +478,9 @@ void OperatePage::watchTemperature(const SourceManager::Item& item) {
         {chrome::Message::Severity::warning,
          moved->change_K > 0.0 ? tr("%1 has become warmer since its tare.", "a source").arg(item.name)
                                : tr("%1 has become colder since its tare.", "a source").arg(item.name),
-         tr("What it reads at rest moves with temperature. Tare it again with nothing touching."),
+         item.channel->summary().recorded
+             ? tr("What it reads at rest moved with temperature while it was recorded.")
+             : tr("What it reads at rest moves with temperature. Tare it again with nothing touching."),
          tr("Chip %1: %2").arg(moved->chip).arg(change)});
 }
 

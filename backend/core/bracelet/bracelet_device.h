@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -38,6 +39,15 @@ struct BraceletDescription {
     std::uint16_t longestTimeout_ms = 10'000; ///< the board's own limit
     /// From a frame to what it moves, as the device states it; nobody measured it. NaN: it states nothing.
     double statedLatency_s = std::numeric_limits<double>::quiet_NaN();
+    /// The same as it was measured, and its spread; NaN: nobody did.
+    double measuredLatency_s = std::numeric_limits<double>::quiet_NaN();
+    double latencySpread_s = std::numeric_limits<double>::quiet_NaN();
+
+    /// When a frame that was written at this time moves something; the same time where nobody measured it.
+    [[nodiscard]] std::int64_t feltAt_ns(std::int64_t written_ns) const {
+        return std::isfinite(measuredLatency_s) ? written_ns + std::llround(1e9 * measuredLatency_s)
+                                                : written_ns;
+    }
 };
 
 /// All tactors at one instant.

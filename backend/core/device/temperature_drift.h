@@ -25,6 +25,8 @@ public:
     /// Temperatures in degrees Celsius, one a chip. One that is not finite says nothing of its chip.
     void take(std::span<const float> values_degC);
 
+    /// Of the tare; empty: not known yet.
+    [[nodiscard]] const std::vector<float>& atTare() const { return m_atTare; }
     /// Of the chip that has moved most; nothing before the second temperatures since the tare.
     [[nodiscard]] const std::optional<Move>& largest() const { return m_largest; }
     [[nodiscard]] bool isTold() const { return m_told; }

@@ -24,6 +24,34 @@ using recording::Recording;
 using recording::StreamInfo;
 using recording::StreamKind;
 
+constexpr std::string_view kFrames = "-frames";
+constexpr std::string_view kTemperatures = "-temperatures";
+constexpr std::string_view kJoints = "-joints";
+constexpr std::string_view kWrench = "-wrench";
+
+/// The stream of numbers of this kind and name that has frames. columns: what a frame has; 0: any number.
+core::Expected<std::optional<std::size_t>> findFrames(const Recording& recording, StreamKind kind,
+                                                      const std::string& name, std::size_t columns) {
+    const std::vector<StreamInfo>& streams = recording.streams();
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        const std::size_t found = streams[i].columns.size();
+        if (streams[i].kind != kind || streams[i].name != name || found == 0 ||
+            found != streams[i].channels() || (columns > 0 && found != columns) ||
+            streams[i].type != recording::ValueType::float64)
+            continue;
+        TELETA_TRY(const auto extent, recording.extent(i));
+        return extent ? std::optional(i) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// What belongs to the same device as a stream that is called NAMEend; empty: it is not called so.
+std::string besideIt(const std::string& stream, std::string_view end, std::string_view other) {
+    if (!stream.ends_with(end))
+        return {};
+    return stream.substr(0, stream.size() - end.size()) + std::string(other);
+}
+
 /// why: the first thing that is not described.
 core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& recording,
                                                            std::optional<core::Error>& why) {
@@ -40,31 +68,18 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
             why = why.value_or(array.error());
             continue;
         }
+        TELETA_TRY(const auto temperatures, findFrames(recording, StreamKind::numbers,
+                                                       besideIt(streams[i].name, kFrames, kTemperatures), 0));
         sources.push_back({.arrayStream = i,
                            .array = std::move(*array),
                            .jointStream = {},
                            .wrenchStream = {},
+                           .temperatureStream = temperatures,
+                           .chips = temperatures ? streams[*temperatures].columns.size() : 0,
                            .arm = {},
                            .chain = {}});
     }
     return sources;
-}
-
-/// The stream "NAME-wrench" with frames, of the arm whose joints are "NAME-joints".
-core::Expected<std::optional<std::size_t>> wrenchOf(const Recording& recording, const std::string& joints) {
-    constexpr std::string_view kJoints = "-joints";
-    if (!joints.ends_with(kJoints))
-        return std::nullopt;
-    const std::string name = joints.substr(0, joints.size() - kJoints.size()) + "-wrench";
-    const std::vector<StreamInfo>& streams = recording.streams();
-    for (std::size_t i = 0; i < streams.size(); ++i) {
-        if (streams[i].kind != StreamKind::wrench || streams[i].name != name ||
-            streams[i].columns.size() != kWrenchValues)
-            continue;
-        TELETA_TRY(const auto extent, recording.extent(i));
-        return extent ? std::optional(i) : std::nullopt;
-    }
-    return std::nullopt;
 }
 
 /// Gives each arm to the array that it wears; one that was recorded without a skin is a source of its own.
@@ -80,7 +95,8 @@ core::Expected<void> addArms(const Recording& recording, RecordedSources& source
             why = why.value_or(arm.error());
             continue;
         }
-        TELETA_TRY(const auto wrench, wrenchOf(recording, streams[i].name));
+        TELETA_TRY(const auto wrench, findFrames(recording, StreamKind::wrench,
+                                                 besideIt(streams[i].name, kJoints, kWrench), kWrenchValues));
         const auto skin = std::ranges::find_if(sources.arrays, [&](const RecordedSource& source) {
             return streams[source.arrayStream].name == arm->skinStream;
         });

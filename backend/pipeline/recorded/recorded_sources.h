@@ -20,8 +20,10 @@ namespace teleta::pipeline {
 struct RecordedSource {
     std::size_t arrayStream = 0; ///< number in the recording
     RecordedArray array;
-    std::optional<std::size_t> jointStream;  ///< empty: the array was on its own
-    std::optional<std::size_t> wrenchStream; ///< of the sensor at that arm's wrist
+    std::optional<std::size_t> jointStream;       ///< empty: the array was on its own
+    std::optional<std::size_t> wrenchStream;      ///< of the sensor at that arm's wrist
+    std::optional<std::size_t> temperatureStream; ///< of the array's chips
+    std::size_t chips = 0;                        ///< temperatures of a frame of it
     core::ArmDescription arm;
     std::shared_ptr<const arm_model::SerialChain> chain; ///< as RecordedArm::chain
 };

@@ -7,6 +7,7 @@
 #include "backend/core/failure.h"
 #include "backend/core/number_text.h"
 #include "backend/pipeline/recorded/recorded_layout.h"
+#include "backend/pipeline/recorded/recorded_loads.h"
 #include "backend/recording/event_words.h"
 #include "backend/recording/stream_columns.h"
 #include "backend/stiffness/material.h"
@@ -35,6 +36,8 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHuge = 1e12;
 constexpr double kMostTaxels =
     static_cast<double>(core::ArrayLayout::kMaximumSide) * core::ArrayLayout::kMaximumSide;
+constexpr std::size_t kMostChips = 4096;
+constexpr double kColdest_degC = -273.15;
 
 /// A number a taxel; those that are dead have none.
 ordered_json taxelsJson(const std::vector<float>& values) {
@@ -45,35 +48,43 @@ ordered_json taxelsJson(const std::vector<float>& values) {
 }
 
 ordered_json settingsJson(const ChannelSettings& settings) {
-    return {{"gain", settings.conditioning.gain},
-            {"inverted", settings.conditioning.inverted},
-            {"tare", taxelsJson(settings.conditioning.tare)},
-            {"taxel_gains", taxelsJson(settings.conditioning.taxelGain)},
-            {"dead", settings.conditioning.dead},
-            {"threshold", settings.features.threshold_N},
-            {"automatic_threshold", settings.features.automaticThreshold},
-            {"weighted", settings.features.orientation == contact::OrientationMode::weighted},
-            {"active_only", settings.features.range == contact::MomentRange::active},
-            {"edge_ratio", settings.features.edgeRatio},
-            {"point_ratio", settings.features.pointRatio},
-            {"contact_threshold", settings.segmentation.threshold_N},
-            {"noise_height", settings.segmentation.noiseHeight},
-            {"noise_height_absolute", settings.segmentation.noiseHeight_N},
-            {"minimum_taxels", settings.segmentation.minimumTaxels},
-            {"load_unit", settings.loadUnit}};
+    ordered_json json{{"gain", settings.conditioning.gain},
+                      {"inverted", settings.conditioning.inverted},
+                      {"tare", taxelsJson(settings.conditioning.tare)},
+                      {"taxel_gains", taxelsJson(settings.conditioning.taxelGain)},
+                      {"dead", settings.conditioning.dead},
+                      {"threshold", settings.features.threshold_N},
+                      {"automatic_threshold", settings.features.automaticThreshold},
+                      {"weighted", settings.features.orientation == contact::OrientationMode::weighted},
+                      {"active_only", settings.features.range == contact::MomentRange::active},
+                      {"edge_ratio", settings.features.edgeRatio},
+                      {"point_ratio", settings.features.pointRatio},
+                      {"contact_threshold", settings.segmentation.threshold_N},
+                      {"noise_height", settings.segmentation.noiseHeight},
+                      {"noise_height_absolute", settings.segmentation.noiseHeight_N},
+                      {"minimum_taxels", settings.segmentation.minimumTaxels},
+                      {"load_unit", settings.loadUnit}};
+    if (!settings.tareTemperatures_degC.empty())
+        json["tare_temperatures_degc"] = taxelsJson(settings.tareTemperatures_degC);
+    return json;
 }
 
 /// Empty when there are none.
-std::vector<float> readTaxels(core::JsonReader& reader, const ordered_json& json, const char* key,
-                              std::size_t taxels, double lowest) {
+std::vector<float> readNumbersOrNone(core::JsonReader& reader, const ordered_json& json, const char* key,
+                                     std::size_t atLeast, std::size_t atMost, double lowest) {
     std::vector<float> values;
     const ordered_json* list = reader.find(json, key);
     if (list == nullptr || list->empty())
         return values;
-    for (const ordered_json& value : reader.array(*list, taxels, taxels))
+    for (const ordered_json& value : reader.array(*list, atLeast, atMost))
         values.push_back(value.is_null() ? std::numeric_limits<float>::quiet_NaN()
                                          : static_cast<float>(reader.number(value, lowest, kHuge)));
     return values;
+}
+
+std::vector<float> readTaxels(core::JsonReader& reader, const ordered_json& json, const char* key,
+                              std::size_t taxels, double lowest) {
+    return readNumbersOrNone(reader, json, key, taxels, taxels, lowest);
 }
 
 ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
@@ -106,6 +117,8 @@ ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
     segmentation.minimumTaxels =
         static_cast<int>(reader.number(json, "minimum_taxels", 1.0, kMostTaxels, segmentation.minimumTaxels));
     settings.loadUnit = reader.text(json, "load_unit", settings.loadUnit);
+    settings.tareTemperatures_degC =
+        readNumbersOrNone(reader, json, "tare_temperatures_degc", 1, kMostChips, kColdest_degC);
     return settings;
 }
 
@@ -134,9 +147,11 @@ core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::st
 }
 
 recording::StreamInfo arrayStream(const std::string& name, const core::SourceDescription& description,
-                                  const ChannelSettings& settings) {
+                                  const ChannelSettings& settings, const FrameLoads* loads) {
     ordered_json details = layoutJson(description.layout);
     details.update({{"simulated", description.simulated}, {"settings", settingsJson(settings)}});
+    if (loads != nullptr)
+        details["loads"] = loadsJson(loads->calibration());
     return {.name = name,
             .kind = recording::StreamKind::array,
             .type = recording::ValueType::float32,
@@ -371,6 +386,7 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     description.simulated = reader.boolean(reader.root(), "simulated", false);
     description.recorded = true;
     array.settings = readSettings(reader, reader.member(reader.root(), "settings"), description.layout);
+    array.loads = readLoads(reader, reader.root(), description.layout, array.settings.loadUnit);
     if (reader.error())
         return notDescribed(stream, file, *reader.error());
     return array;

@@ -6,6 +6,7 @@
 #include "backend/core/device/arm_device.h"
 #include "backend/core/device/device.h"
 #include "backend/core/error.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/pipeline/touch/touch_record.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "backend/recording/recording_types.h"
@@ -37,10 +38,12 @@ inline constexpr std::size_t kWrenchValues = 6;
 [[nodiscard]] inline std::string framesStreamName(const std::string& name) {
     return name + "-frames";
 }
-/// Raw frames of an array, with the settings in force for them. name: of the stream.
+/// Raw frames of an array, with the settings in force for them. name: of the stream. loads: how its loads
+/// follow from them; null: nobody knows.
 [[nodiscard]] recording::StreamInfo arrayStream(const std::string& name,
                                                 const core::SourceDescription& description,
-                                                const ChannelSettings& settings);
+                                                const ChannelSettings& settings,
+                                                const FrameLoads* loads = nullptr);
 /// The event that the settings of an array are others from now on, but for its time. stream: of its frames.
 [[nodiscard]] recording::RecordingEvent settingsEvent(const std::string& stream,
                                                       const ChannelSettings& settings);
@@ -91,6 +94,7 @@ void appendFeatures(const contact::TactileFeatures& features, bool vectors, std:
 struct RecordedArray {
     core::SourceDescription description;
     ChannelSettings settings;
+    std::optional<FrameLoads> loads; ///< nothing: its loads were not calibrated
 };
 /// file: for errors. Error: badInput, the stream's details do not say what an array is.
 [[nodiscard]] core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,

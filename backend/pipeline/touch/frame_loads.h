@@ -36,6 +36,7 @@ public:
     [[nodiscard]] static core::Expected<FrameLoads>
     read(const std::string& path, const core::TaxelLayout& layout, const std::string& loadUnit);
 
+    [[nodiscard]] const equilibration::LoadCalibration& calibration() const { return m_calibration; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_calibration.loads; }
     /// NAME and NAME_se of each load, then extrapolated, 0 or 1.
     [[nodiscard]] std::vector<recording::Column> columns() const;

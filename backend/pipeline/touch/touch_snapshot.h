@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace teleta::pipeline {
 
@@ -17,6 +18,8 @@ struct ChannelSettings {
     contact::FeatureSettings features;
     contact::SegmentationSettings segmentation;
     std::string loadUnit = "N"; ///< unit of the loads, shown with every force
+    /// Of the array's chips when its tare was taken; empty: they told none, or there is no tare.
+    std::vector<float> tareTemperatures_degC{};
 };
 
 /// What the pipeline knows of one array after its newest frame. Views get it as a constant and own no truth.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/error.h"
@@ -10,7 +11,9 @@
 #include "devices/site/remote/remote_stream.h"
 #include "devices/site/site_client.h"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -20,35 +23,46 @@ namespace teleta::site_link {
 /// here.
 ///   connecting -> live <-> stale; stop(): closed
 /// Thread: as core::TactileSource.
-class RemoteArray : public core::TactileSource {
+class RemoteArray : public core::TactileSource, public core::ChipThermometers {
 public:
-    /// name: of the array, or of the arm that wears it. description: as the site describes it. Error:
-    /// unavailable, its topic cannot be opened.
+    /// name: of the array, or of the arm that wears it. description: as the site describes it. chips: that
+    /// tell the site how warm they are; 0: none. Error: unavailable, its topics cannot be opened.
     [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArray>>
-    open(std::shared_ptr<SiteClient> site, const std::string& name, core::SourceDescription description);
+    open(std::shared_ptr<SiteClient> site, const std::string& name, core::SourceDescription description,
+         std::size_t chips = 0);
 
     [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
     void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
     void stop() override { m_thread.stop(); }
     [[nodiscard]] core::BoundedQueue<core::SampleBlock>& blocks() override { return m_outlet.blocks(); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
+    [[nodiscard]] std::size_t chips() const override { return m_chips; }
+    [[nodiscard]] core::BoundedQueue<core::TemperatureSample>& temperatures() override {
+        return m_temperatures;
+    }
 
 private:
     friend core::DeviceThread<RemoteArray>;
     RemoteArray(std::shared_ptr<SiteClient> site, core::SourceDescription description,
-                dds::Reader<ros::TactileBlock> reader);
+                dds::Reader<ros::TactileBlock> reader, std::size_t chips,
+                std::optional<dds::Reader<ros::TactileBlock>> temperatureReader);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
     void wake() { m_waitSet.wake(); }
     void take(const ros::TactileBlock& block);
+    void takeTemperatures(const ros::TactileBlock& block);
 
     std::shared_ptr<SiteClient> m_site;
     core::SourceDescription m_description;
     dds::Reader<ros::TactileBlock> m_reader;
+    std::size_t m_chips;
+    std::optional<dds::Reader<ros::TactileBlock>> m_temperatureReader; ///< nothing: there are no chips
     dds::WaitSet m_waitSet;
     core::SourceOutlet m_outlet;
+    core::BoundedQueue<core::TemperatureSample> m_temperatures;
     RemoteStream m_stream;
+    RemoteStream m_temperatureStream;
     core::DeviceThread<RemoteArray> m_thread{*this};
 };
 

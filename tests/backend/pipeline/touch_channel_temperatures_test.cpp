@@ -84,6 +84,37 @@ TEST_F(WarmChannel, withoutATareThereIsNothingThatDrifts) {
     EXPECT_FALSE(m_channel->temperatureDrift());
 }
 
+TEST_F(WarmChannel, aPlaybackTellsTheDriftFromTheTareThatWasRecorded) {
+    frame(0.0, {25.0F, 26.0F});
+    frame(0.1, {28.0F, 26.0F});
+    const ChannelSettings recorded = m_channel->settings();
+    EXPECT_EQ(recorded.tareTemperatures_degC, (std::vector<float>{25.0F, 26.0F}));
+    auto owned = std::make_unique<WarmSource>(2);
+    WarmSource* source = owned.get();
+    TouchChannel again(std::move(owned), recorded);
+    source->push(0.0, {31.0F, 26.0F}); // the first that is played
+    again.process();
+    ASSERT_TRUE(again.temperatureDrift());
+    EXPECT_EQ(again.temperatureDrift()->chip, 0U);
+    EXPECT_DOUBLE_EQ(again.temperatureDrift()->change_K, 6.0);
+
+    // Settings of views, and those of a new tare.
+    ChannelSettings other = recorded;
+    other.tareTemperatures_degC.clear();
+    m_channel->post(other);
+    frame(0.2, {28.0F, 26.0F});
+    EXPECT_EQ(m_channel->settings().tareTemperatures_degC, (std::vector<float>{25.0F, 26.0F}));
+    const std::uint64_t before = m_channel->settingsRevision();
+    m_channel->requestTare(0.05);
+    frame(0.3, {28.0F, 26.0F});
+    frame(0.4, {28.5F, 26.0F});
+    EXPECT_EQ(m_channel->settings().tareTemperatures_degC, (std::vector<float>{28.5F, 26.0F}));
+    EXPECT_EQ(m_channel->settingsRevision(), before + 1) << "the tare";
+    m_channel->clearTare();
+    frame(0.5, {28.5F, 26.0F});
+    EXPECT_TRUE(m_channel->settings().tareTemperatures_degC.empty());
+}
+
 TEST_F(WarmChannel, aRecordingHasTheTemperatures) {
     const teleta::test::TemporaryFolder folder;
     const std::string path = folder.path("skin.teleta");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/site/site_streams.h"
 #include "devices/site/site_topics.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@ TEST(SiteTopics, areNamedAsTheProtocolSays) {
     const SiteTopics topics("lab");
     EXPECT_EQ(topics.state(), "rt/teleta/lab/state");
     EXPECT_EQ(topics.joints("left_arm"), "rt/teleta/lab/joints/left_arm");
+    EXPECT_EQ(topics.temperatures("skin"), "rt/teleta/lab/temperatures/skin");
     EXPECT_EQ(topics.command("console1"), "rt/teleta/lab/console/console1/command");
     EXPECT_EQ(topics.clockAnswer("console1"), "rt/teleta/lab/console/console1/clock_answer");
 }
@@ -36,6 +38,20 @@ TEST(SiteTopics, namesAreShortAndSmall) {
     for (const std::string& bad : {std::string(), std::string("2a"), std::string("_a"), std::string("a-b"),
                                    std::string("A"), std::string("a b"), std::string(32, 'a')})
         EXPECT_FALSE(isSiteName(bad)) << bad;
+}
+
+TEST(SiteTopics, temperaturesAreSentAndNoOtherNumbers) {
+    const SiteTopics topics("lab");
+    recording::StreamInfo stream;
+    stream.kind = recording::StreamKind::numbers;
+    stream.name = "skin-temperatures";
+    EXPECT_EQ(deviceOf(stream), "skin");
+    EXPECT_STREQ(topicOf(stream, topics).kind, "temperatures");
+    EXPECT_EQ(topicOf(stream, topics).name, topics.temperatures("skin"));
+    for (const char* other : {"skin-loads", "skin-features", "-temperatures", "Skin-temperatures"}) {
+        stream.name = other;
+        EXPECT_EQ(deviceOf(stream), "") << other;
+    }
 }
 
 } // namespace

@@ -48,6 +48,8 @@ TEST(SoundBraceletFile, needsLittle) {
     EXPECT_EQ(file.period_frames, 128U);
     EXPECT_EQ(file.channels, (std::array<std::uint32_t, 6>{3, 4, 5, 6, 7, 8}));
     EXPECT_FALSE(file.shared);
+    EXPECT_FALSE(file.latency_ms);
+    EXPECT_FALSE(file.latencySpread_ms);
     for (const ToneSettings& tone : file.tones)
         EXPECT_EQ(tone, (ToneSettings{.carrier_Hz = 250.0, .fullScale = 0.5, .gain = 1.0, .ramp_s = 0.002}));
     EXPECT_DOUBLE_EQ(file.period_s(), 128.0 / 48'000.0);
@@ -65,7 +67,11 @@ TEST(SoundBraceletFile, readsEveryKey) {
                                         "full_scale = 0.9\n"
                                         "gain = [1.0, 0.9, 0.8, 0.7, 0.6, 0.0]\n"
                                         "ramp_ms = 5\n"
+                                        "latency_ms = 7.5\n"
+                                        "latency_spread_ms = 1.25\n"
                                         "shared = true\n");
+    EXPECT_EQ(file.latency_ms, 7.5);
+    EXPECT_EQ(file.latencySpread_ms, 1.25);
     EXPECT_EQ(file.address, (SoundAddress{SoundApi::alsa, "hw:CARD=UMC1820"})) << "up to the first colon";
     EXPECT_EQ(file.sampleRate_Hz, 96'000U);
     EXPECT_EQ(file.period_frames, 256U);
@@ -129,6 +135,9 @@ TEST(SoundBraceletFile, saysWhatIsWrongAndWhere) {
                              "ramp_ms = 0.9",
                              "ramp_ms = 20.1",
                              "shared = 1",
+                             "latency_ms = -1",
+                             "latency_ms = 501",
+                             "latency_spread_ms = 1",
                              "chanels = 3",
                              "sample_rate = 48000"})
         (void)errorWith(line);

@@ -88,6 +88,17 @@ TEST_F(SoundBraceletPortTest, saysWhatItIs) {
     EXPECT_FALSE(opened.description.simulated);
 }
 
+TEST_F(SoundBraceletPortTest, knowsWhenAFrameIsFeltOnlyWhereThatWasMeasured) {
+    EXPECT_TRUE(std::isnan(open().description.measuredLatency_s));
+    EXPECT_EQ(open().description.feltAt_ns(1'000'000'000), 1'000'000'000);
+    m_file.latency_ms = 7.5;
+    m_file.latencySpread_ms = 1.25;
+    const auto opened = open();
+    EXPECT_DOUBLE_EQ(opened.description.measuredLatency_s, 0.0075);
+    EXPECT_DOUBLE_EQ(opened.description.latencySpread_s, 0.00125);
+    EXPECT_EQ(opened.description.feltAt_ns(1'000'000'000), 1'007'500'000);
+}
+
 TEST_F(SoundBraceletPortTest, takesNoMoreFramesThanTheCardPeriods) {
     m_file.period_frames = 1024;
     EXPECT_DOUBLE_EQ(open().description.maximumRate_Hz, 46.875);

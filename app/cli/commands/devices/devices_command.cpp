@@ -8,6 +8,7 @@
 #include "app/cli/commands/devices/found_device.h"
 #include "app/cli/commands/devices/measured_rate.h"
 #include "app/cli/commands/devices/ros_probes.h"
+#include "app/cli/commands/devices/sound_latency.h"
 #include "app/cli/commands/devices/taxels_report.h"
 #include "backend/core/beside_file.h"
 #include "backend/core/data/output_file.h"
@@ -39,6 +40,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -116,8 +118,9 @@ core::Expected<FoundDevice> probeBracelet(const std::string& path) {
     return found;
 }
 
-/// Opens the card and plays silence for a moment.
-core::Expected<FoundDevice> probeSound(const std::string& path) {
+/// Opens the card and plays silence for a moment. latencyInput: an input on which clicks are heard; empty:
+/// none are played.
+core::Expected<FoundDevice> probeSound(const std::string& path, const std::string& latencyInput) {
     constexpr std::chrono::milliseconds kLook{50};
     constexpr int kLooks = 20;
     TELETA_TRY(const auto file, sound::readSoundBracelet(path));
@@ -139,6 +142,21 @@ core::Expected<FoundDevice> probeSound(const std::string& path) {
     if (bracelet.connection() == 0)
         found.error = core::Error{core::ErrorKind::unavailable, status.message, {}, {found.where}};
     found.values = {{"period", file.period_s(), "s"}, {"stated_latency", description.statedLatency_s, "s"}};
+    if (!latencyInput.empty() && !found.error) {
+        const auto latency = measureSoundLatency(file, bracelet, stopSwitch, latencyInput);
+        if (latency) {
+            found.values.push_back({"latency", latency->median_s(), "s"});
+            found.values.push_back({"latency_spread", latency->spread_s(), "s"});
+            found.lines =
+                "latency_ms = " + QString::number(1e3 * latency->median_s(), 'f', 2).toStdString() +
+                "\nlatency_spread_ms = " + QString::number(1e3 * latency->spread_s(), 'f', 2).toStdString() +
+                '\n';
+        } else {
+            found.error = latency.error();
+        }
+    } else if (std::isfinite(description.measuredLatency_s)) {
+        found.values.push_back({"measured_latency", description.measuredLatency_s, "s"});
+    }
     if (const auto& sound = bracelet.telemetry().board.sound) {
         found.values.push_back({"callback_share", sound->meanShare, "1"});
         found.values.push_back({"missed_periods", static_cast<double>(sound->missedPeriods), "1"});
@@ -261,7 +279,8 @@ core::Expected<FoundDevice> probeStream(const std::string& path, const std::stri
     return found;
 }
 
-core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes) {
+core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes,
+                                      const std::string& latencyInput) {
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     core::TomlTable root = document.root();
     const std::size_t kind =
@@ -279,12 +298,14 @@ core::Expected<FoundDevice> probeFile(const std::string& path, std::size_t bytes
                             "\"ros_tactile\" or \"ros_camera\""),
             {path, 1, 1});
     }
+    if (!latencyInput.empty() && kind != 7)
+        refuse("--latency", DevicesText::tr("this is for a bracelet on a sound card"));
     if (kind == 0)
         return probeRegisters(path);
     if (kind == 3)
         return probeBracelet(path);
     if (kind == 7)
-        return probeSound(path);
+        return probeSound(path, latencyInput);
     if (kind == 8)
         return probeGel(path);
     if (kind == 9)
@@ -370,9 +391,12 @@ core::Expected<void> printTable(const std::vector<FoundDevice>& devices) {
     if (fields.empty())
         fields.emplace_back(DevicesText::tr("No device is connected."), QString());
     TELETA_CHECK(printFields(fields));
-    for (const FoundDevice& device : devices)
+    for (const FoundDevice& device : devices) {
         if (device.stream)
             TELETA_CHECK(printText(textOf(*device.stream)));
+        if (!device.lines.empty())
+            TELETA_CHECK(printText(device.lines));
+    }
     return {};
 }
 
@@ -389,6 +413,12 @@ public:
                             "second after its first frame"),
             CLI::Range(1, 1'000'000).description(""), "N")
             ->needs("--probe");
+        addOption(app, "--latency", m_latencyInput,
+                  DevicesText::tr(
+                      "Of a bracelet on a sound card: play clicks on tactor 1 and measure when they are "
+                      "heard on this input, at which an accelerometer or a cable is"),
+                  "INPUT")
+            ->needs("--probe");
         declareJson(app, m_json);
     }
 
@@ -397,7 +427,7 @@ public:
         if (m_probePath.empty()) {
             devices = listDevices();
         } else {
-            TELETA_TRY(auto found, probeFile(m_probePath, m_bytes));
+            TELETA_TRY(auto found, probeFile(m_probePath, m_bytes, m_latencyInput));
             devices.push_back(std::move(found));
         }
         if (m_json) {
@@ -420,6 +450,7 @@ public:
 private:
     std::string m_probePath;
     std::size_t m_bytes = 4096;
+    std::string m_latencyInput;
     bool m_json = false;
 };
 

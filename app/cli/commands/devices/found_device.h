@@ -29,6 +29,7 @@ struct FoundDevice {
     std::optional<double> inputRate_Hz{}; ///< readings of all inputs a second
     std::vector<DeviceValue> values{};
     std::string warning{};                ///< translated; empty: none
+    std::string lines{};                  ///< for its description, as it was measured; empty: none
     std::optional<TaxelsReport> stream{}; ///< of a described array
 };
 

@@ -21,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <random>
 #include <thread>
@@ -156,19 +157,25 @@ void postFor(playback::Player& player, double duration_s) {
     }
 }
 
-nlohmann::ordered_json toJson(const core::SoundReport& sound, double statedLatency_s) {
-    return {{"stated_latency_s", statedLatency_s},
+nlohmann::ordered_json toJson(const core::SoundReport& sound, const core::BraceletDescription& bracelet) {
+    return {{"stated_latency_s", bracelet.statedLatency_s},
+            {"measured_latency_s", std::isfinite(bracelet.measuredLatency_s)
+                                       ? nlohmann::ordered_json(bracelet.measuredLatency_s)
+                                       : nlohmann::ordered_json(nullptr)},
             {"callback_mean_share", sound.meanShare},
             {"callback_longest_share", sound.longestShare},
             {"missed_periods", sound.missedPeriods}};
 }
 
 /// What a sound card says of itself, whose coils nobody watches.
-void addFields(const core::SoundReport& sound, double statedLatency_s, Fields& fields) {
+void addFields(const core::SoundReport& sound, const core::BraceletDescription& bracelet, Fields& fields) {
     fields.emplace_back(PlayText::tr("Confirmed"), PlayText::tr("played by the callback of the sound card"));
     fields.emplace_back(
         PlayText::tr("Latency"),
-        PlayText::tr("at most %1 ms, as stated, not measured").arg(forPeople(1e3 * statedLatency_s, 3)));
+        std::isfinite(bracelet.measuredLatency_s)
+            ? PlayText::tr("%1 ms, as measured").arg(forPeople(1e3 * bracelet.measuredLatency_s, 3))
+            : PlayText::tr("at most %1 ms, as stated, not measured")
+                  .arg(forPeople(1e3 * bracelet.statedLatency_s, 3)));
     fields.emplace_back(PlayText::tr("Callback"),
                         PlayText::tr("%1 % of a period, longest %2 %, %3 missed")
                             .arg(forPeople(1e2 * sound.meanShare, 2), forPeople(1e2 * sound.longestShare, 2))
@@ -181,7 +188,6 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
     const Quantiles write = quantilesOf(program.timings.write);
     const Quantiles latency = live ? quantilesOf(live->timings.latency) : Quantiles{};
     const std::optional<core::SoundReport> sound = bracelet.telemetry().board.sound;
-    const double statedLatency_s = bracelet.description().statedLatency_s;
     if (json) {
         nlohmann::ordered_json document{{"bracelet", bracelet.description().name},
                                         {"simulated", bracelet.description().simulated},
@@ -199,7 +205,7 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
                                 {"deadline_misses", live->counters.deadlineMisses},
                                 {"snapshot_to_frame", toJson(latency)}};
         if (sound)
-            document["sound"] = toJson(*sound, statedLatency_s);
+            document["sound"] = toJson(*sound, bracelet.description());
         return printDocument(document);
     }
     Fields fields{
@@ -218,7 +224,7 @@ core::Expected<void> print(const core::BraceletSource& bracelet, const playback:
         fields.emplace_back(PlayText::tr("Snapshot to frame"), forPeopleUs(latency));
     }
     if (sound)
-        addFields(*sound, statedLatency_s, fields);
+        addFields(*sound, bracelet.description(), fields);
     return printFields(fields);
 }
 

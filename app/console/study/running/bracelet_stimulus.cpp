@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/running/bracelet_stimulus.h"
 
+#include "backend/core/steady_time.h"
 #include "backend/playback/pattern_program.h"
 
 #include <QCoreApplication>
@@ -43,10 +44,10 @@ QString words(const playback::PlayerStatus& status) {
 }
 
 /// A successful write does not prove that anything is felt.
-std::int64_t onsetOf(const playback::PlayerCounters& counters, OnsetFrame onset) {
-    if (!counters.confirmed)
-        return 0;
-    return onset == OnsetFrame::any ? counters.firstFrame_ns : counters.onset_ns;
+std::int64_t onsetOf(BraceletSession& session, OnsetFrame onset) {
+    const playback::PlayerCounters counters = session.player().counters();
+    const std::int64_t written_ns = onset == OnsetFrame::any ? counters.firstFrame_ns : counters.onset_ns;
+    return counters.confirmed && written_ns != 0 ? session.source().description().feltAt_ns(written_ns) : 0;
 }
 
 } // namespace
@@ -116,8 +117,9 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         return state;
     }
     const playback::PlayerCounters counters = begun->player().counters();
-    state.onset_ns = onsetOf(counters, m_onset);
-    state.due_ns = status.begun_ns + std::llround(1e9 * status.duration_s);
+    state.onset_ns = onsetOf(*begun, m_onset);
+    const core::BraceletDescription& bracelet = begun->source().description();
+    state.due_ns = bracelet.feltAt_ns(status.begun_ns + std::llround(1e9 * status.duration_s));
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
     if (!m_stop.engaged() && m_station.isReady() && !m_station.isAnswering()) {
@@ -137,10 +139,10 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
         return state;
     }
     if (status.ending == playback::PlayerEnding::finished) {
-        state.end_ns = status.ended_ns;
+        state.end_ns = bracelet.feltAt_ns(status.ended_ns);
         // The onset of a pattern that is always off is its start.
         if (state.onset_ns == 0)
-            state.onset_ns = status.begun_ns;
+            state.onset_ns = bracelet.feltAt_ns(status.begun_ns);
     } else {
         state.failure = words(status);
         if (state.failure.isEmpty())
@@ -156,7 +158,9 @@ std::function<std::int64_t()> BraceletStimulus::onset() const {
     return [playing = open, request_ns = m_request_ns, onset = m_onset]() -> std::int64_t {
         if (playing->player().status().begun_ns < request_ns)
             return 0;
-        return onsetOf(playing->player().counters(), onset);
+        // Told when it has come.
+        const std::int64_t onset_ns = onsetOf(*playing, onset);
+        return onset_ns <= core::steadyNow_ns() ? onset_ns : 0;
     };
 }
 

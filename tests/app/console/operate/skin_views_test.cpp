@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sources/recording_request.h"
+#include "backend/recording/recorder.h"
 #include "tests/app/console/operate/operate_bench.h"
 #include "tests/support/peer_process.h"
 #include "widgets/chrome/message_bar.h"
@@ -9,7 +11,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <memory>
 #include <string>
+#include <utility>
 
 using namespace teleta;
 
@@ -55,6 +59,11 @@ private slots:
             return item != nullptr && item->isOpen() ? item->array() : nullptr;
         };
         QVERIFY(comes([&] { return array() != nullptr && array()->newestLoads().has_value(); }));
+        const std::string recorded = m_folder.filePath("run.teleta").toStdString();
+        auto started = recording::Recorder::start(recorded, {});
+        QVERIFY(started.has_value());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        array()->record(recorder, "skin");
         auto* heatmap = m_page->findChild<tactile::HeatmapView*>();
         QVERIFY(heatmap != nullptr);
         heatmap->resize(1600, 600);
@@ -78,6 +87,24 @@ private slots:
             poll();
         QCOMPARE(m_page->messages().count(), 1);
         QCOMPARE(m_page->messages().repeats(), 1);
+        array()->record(nullptr, {});
+        QVERIFY(recorder->stop().has_value());
+        m_sources->close(key);
+        m_page->messages().clear();
+
+        // A playback tells the same.
+        const auto requests = app::recordingRequestsOf(recorded);
+        QVERIFY(requests.has_value());
+        const auto played = m_sources->open(requests->front());
+        const auto playback = [&] {
+            const auto* item = m_sources->find(played);
+            return item != nullptr && item->isOpen() ? item->playback() : nullptr;
+        };
+        QVERIFY(comes([&] { return playback() != nullptr && header().startsWith("load "); }));
+        QVERIFY2(!header().contains("extrapolated"), qPrintable(header()));
+        playback()->seek(playback()->position().duration_s);
+        QVERIFY(comes([&] { return expected.match(header()).hasMatch(); }));
+        QVERIFY(comes([&] { return m_page->messages().count() == 1; }));
     }
 };
 

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace teleta::console {
 namespace {
@@ -183,6 +184,25 @@ TEST_F(TaxelsSource, hasItsLoadsInNewtonsByTheFileThatItsDescriptionNames) {
     ASSERT_TRUE(recording) << core::describe(recording.error());
     ASSERT_EQ(recording->streams().size(), 3U);
     EXPECT_EQ(recording->streams()[2].name, "skin-loads");
+
+    const auto requests = app::recordingRequestsOf(m_folder.path("run.teleta"));
+    ASSERT_TRUE(requests);
+    const auto replayed = app::openRecording(requests->front(), m_stop);
+    ASSERT_TRUE(replayed) << core::describe(replayed.error());
+    auto& again = dynamic_cast<pipeline::TouchChannel&>(**replayed);
+    again.start(data);
+    again.playback()->play();
+    ASSERT_TRUE(teleta::test::eventually(data, [&] {
+        again.process();
+        return again.framesProcessed() >= 3;
+    }));
+    again.stop();
+    const auto played = again.newestLoads();
+    ASSERT_TRUE(played);
+    EXPECT_EQ(played->names, std::vector<std::string>{"force_n"});
+    EXPECT_NEAR(played->at.loads[0], 0.5 * 13 + 0.25 * 9, 1e-6);
+    EXPECT_NEAR(played->at.errors[0], std::hypot(0.02, 0.01 * 13), 1e-6);
+    EXPECT_TRUE(played->at.extrapolated);
 }
 
 TEST_F(TaxelsSource, refusesLoadsThatDoNotFit) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/data/json_document.h"
+#include "backend/core/data/taxel_layout.h"
+#include "backend/equilibration/load_calibration.h"
+#include "backend/pipeline/touch/frame_loads.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+
+namespace teleta::pipeline {
+
+// How the calibration that gives the loads of an array is recorded: in the details of its stream, as
+//   "loads": {"names": [..], "signals": [..], "gain": [[a row a load]], "gain_se": [[..]],
+//             "rest": [..], "least": [..], "greatest": [..], "scatter": [..]}
+// so that whoever has the frames has their loads as well, with a tare of their own. Thread: any (pure).
+
+[[nodiscard]] nlohmann::ordered_json loadsJson(const equilibration::LoadCalibration& calibration);
+
+/// The calibration of these details, for the array that they describe; nothing: they have none. Errors are
+/// the reader's: as equilibration::readLoadCalibration() has them.
+[[nodiscard]] std::optional<FrameLoads> readLoads(core::JsonReader& reader,
+                                                  const nlohmann::ordered_json& details,
+                                                  const core::TaxelLayout& layout,
+                                                  const std::string& loadUnit);
+
+} // namespace teleta::pipeline
