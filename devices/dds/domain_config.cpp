@@ -51,7 +51,7 @@ bool isLoopback(std::string_view interface) {
     return interface == "lo" || interface == "::1" || interface.starts_with("127.");
 }
 
-std::string configurationOf(const DomainConfig& config) {
+std::string configurationOf(const DomainConfig& config, std::optional<int> priority) {
     std::string xml = "<CycloneDDS><Domain Id=" + quoted(std::to_string(config.domain)) + "><General>";
     if (!config.interface.empty())
         xml += "<Interfaces><NetworkInterface " +
@@ -71,7 +71,16 @@ std::string configurationOf(const DomainConfig& config) {
     for (const std::string& peer : peers)
         xml += "<Peer Address=" + quoted(peer) + "/>";
     // Packets of discovery are repeated within the lease; at the default a lost one costs seconds.
-    return xml + "</Peers><LeaseDuration>2s</LeaseDuration></Discovery></Domain></CycloneDDS>";
+    xml += "</Peers><LeaseDuration>2s</LeaseDuration></Discovery>";
+    if (priority) {
+        // A second thread for unicast cannot be given a priority.
+        xml += "<Internal><MultipleReceiveThreads>false</MultipleReceiveThreads></Internal><Threads>";
+        for (const char* thread : {"recv", "tev", "dq.user"})
+            xml += "<Thread Name=" + quoted(thread) + "><Scheduling><Class>realtime</Class><Priority>" +
+                   std::to_string(*priority) + "</Priority></Scheduling></Thread>";
+        xml += "</Threads>";
+    }
+    return xml + "</Domain></CycloneDDS>";
 }
 
 core::Expected<int> defaultDomain() {

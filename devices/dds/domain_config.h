@@ -3,6 +3,7 @@
 
 #include "backend/core/error.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +29,10 @@ struct DomainConfig {
 /// Whether it names the interface within this computer. Thread: any (pure).
 [[nodiscard]] bool isLoopback(std::string_view interface);
 
-/// The configuration of Cyclone DDS, as XML. Thread: any (pure). Source: Cyclone DDS 0.10, options.md.
-[[nodiscard]] std::string configurationOf(const DomainConfig& config);
+/// The configuration of Cyclone DDS, as XML. priority: real-time priority of the threads that receive and
+/// send, which the user must be allowed; empty: they are ordinary ones. Thread: any (pure). Source: Cyclone
+/// DDS 0.10, options.md.
+[[nodiscard]] std::string configurationOf(const DomainConfig& config, std::optional<int> priority = {});
 
 /// The domain that the environment variable ROS_DOMAIN_ID names, 0 without it. Failure: badInput, it names
 /// none. Thread: any, while nobody changes the environment.

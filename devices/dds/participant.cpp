@@ -2,6 +2,7 @@
 #include "devices/dds/participant.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/threads/urgent_thread.h"
 #include "devices/dds/dds_error.h"
 #include "devices/dds/dds_qos.h"
 #include "devices/dds/log_lines.h"
@@ -39,7 +40,8 @@ core::Expected<void> openDomain(const DomainConfig& config) {
     limitLog();
     const CollectedLog log;
     const dds_entity_t domain =
-        dds_create_domain(static_cast<dds_domainid_t>(config.domain), configurationOf(config).c_str());
+        dds_create_domain(static_cast<dds_domainid_t>(config.domain),
+                          configurationOf(config, core::libraryThreadPriority()).c_str());
     if (domain < 0) {
         const QString reason = log.text().empty() ? QString::fromLatin1(dds_strretcode(domain))
                                                   : QString::fromStdString(log.text());

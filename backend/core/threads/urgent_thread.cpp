@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
 
 namespace teleta::core {
@@ -28,6 +29,15 @@ ThreadUrgency makeThreadUrgent() {
     if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice) == 0)
         return ThreadUrgency::raised;
     return ThreadUrgency::ordinary;
+}
+
+std::optional<int> libraryThreadPriority() {
+    static const bool isAllowed = [] {
+        bool reached = false;
+        std::thread([&reached] { reached = makeThreadUrgent() == ThreadUrgency::realTime; }).join();
+        return reached;
+    }();
+    return isAllowed ? std::optional(kPriority - 1) : std::nullopt;
 }
 
 } // namespace teleta::core

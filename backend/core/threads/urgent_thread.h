@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 namespace teleta::core {
 
 /// How soon the system runs a thread whose wait is over.
@@ -14,5 +16,9 @@ enum class ThreadUrgency {
 /// allowed, and with timers that fire on time (the kernel may otherwise delay them by 50 us). Threads that it
 /// starts do not inherit this. Returns what was reached.
 [[nodiscard]] ThreadUrgency makeThreadUrgent();
+
+/// The real-time priority (round robin) for threads that libraries start for this program, just below that of
+/// makeThreadUrgent(); empty: the user is not allowed any. Tried once, on a thread of its own. Thread: any.
+[[nodiscard]] std::optional<int> libraryThreadPriority();
 
 } // namespace teleta::core
