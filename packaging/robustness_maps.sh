@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the map of the handbook's page on sweeps: runs a sweep that comes with the program and draws one of its measures. Needs
-# librsvg2-bin and python3-pil. Takes some three minutes of processor time.
+# Makes the maps of the handbook's page on sweeps: runs two sweeps that come with the program and draws a measure of each. Needs
+# librsvg2-bin and python3-pil. Takes some ten minutes of processor time.
 #   robustness_maps.sh [FOLDER [RESULTS]]      default: resources/handbook/pictures, a temporary folder
 # A folder of results that an earlier run has left is gone on with.
 set -euo pipefail
@@ -23,6 +23,7 @@ map() {
     rsvg-convert --width 1000 --background-color white "$work/$1/figures/$2.svg" --output "$folder/map-$1.png"
 }
 map touch-stiffness stiffness_error_mean
+map servo-friction completed
 # They lie in the programs: a palette takes a third of the room.
 /usr/bin/python3 - "$folder"/map-*.png <<'END'
 import sys
