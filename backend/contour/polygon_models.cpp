@@ -92,7 +92,12 @@ class RectangleModel : public ColumnModel<5> {
 public:
     using ColumnModel<5>::ColumnModel;
     void evaluate(At& at) const override {
-        const auto [byX, byY, byAngle, byWidth, byHeight] = columns(at);
+        const auto columns = this->columns(at);
+        double* const byX = columns[0];
+        double* const byY = columns[1];
+        double* const byAngle = columns[2];
+        double* const byWidth = columns[3];
+        double* const byHeight = columns[4];
         const PointColumns& p = points();
         const double c = std::cos(at.parameters[2]);
         const double s = std::sin(at.parameters[2]);
@@ -148,7 +153,11 @@ public:
         : ColumnModel<4>(points)
         , m_sides(sides) {}
     void evaluate(At& at) const override {
-        const auto [byX, byY, byLogRadius, byAngle] = columns(at);
+        const auto columns = this->columns(at);
+        double* const byX = columns[0];
+        double* const byY = columns[1];
+        double* const byLogRadius = columns[2];
+        double* const byAngle = columns[3];
         const PointColumns& p = points();
         const double half_rad = std::numbers::pi / m_sides;
         const double radius = std::exp(at.parameters[2]);
