@@ -18,7 +18,7 @@ std::optional<Circle> fitCircle(std::span<const Point> points_m) {
     const CurvedLineFit fitted = fitCurvedLine(contour.points);
     if (fitted.curve.straight())
         return std::nullopt;
-    const Evidence judged = evidence(fitted.fit, 1.0);
+    const Evidence judged = judge(fitted.fit.residuals, 1.0);
     return Circle{contour.toMetres(fitted.curve.centre()), contour.size_m * fitted.curve.radius(),
                   contour.size_m * rmsOfInliers(fitted.fit, judged)};
 }

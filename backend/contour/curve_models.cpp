@@ -21,49 +21,72 @@ Point meanOf(std::span<const Point> points) {
            static_cast<double>(points.size());
 }
 
-/// parameters (A, D, theta).
-void curvedResiduals(std::span<const Point> points, const Point& reference, const Eigen::VectorXd& parameters,
-                     Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
-    const auto rows = static_cast<Eigen::Index>(points.size());
-    residuals.resize(rows);
-    jacobian.resize(rows, 3);
-    const double a = parameters[0];
-    const double d = parameters[1];
-    const double e = std::sqrt(std::max(kSmallestE2, 1.0 + 4.0 * a * d));
-    const double c = std::cos(parameters[2]);
-    const double s = std::sin(parameters[2]);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const Point p = points[static_cast<std::size_t>(i)] - reference;
-        const double z = p.squaredNorm();
-        const double u = c * p.x() + s * p.y();
-        const double power = a * z + e * u + d;
-        const double q = std::sqrt(std::max(0.0, 1.0 + 4.0 * a * power));
-        const double distance = 2.0 * power / (1.0 + q);
-        // d = P - A d^2 on the circle's side of its centre, hence dd = (dP - d^2 dA) / q.
-        const double inverse = 1.0 / std::max(q, 1e-3);
-        residuals[i] = distance;
-        jacobian(i, 0) = (z + 2.0 * d * u / e - distance * distance) * inverse;
-        jacobian(i, 1) = (1.0 + 2.0 * a * u / e) * inverse;
-        jacobian(i, 2) = e * (c * p.y() - s * p.x()) * inverse;
-    }
+using Column = Eigen::Map<Eigen::ArrayXd>;
+
+Column columnOf(double* numbers, const PointColumns& points) {
+    return {numbers, static_cast<Eigen::Index>(points.filled())};
 }
 
-/// parameters (D, theta).
-void straightResiduals(std::span<const Point> points, const Point& reference,
-                       const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals,
-                       Eigen::MatrixXd& jacobian) {
-    const auto rows = static_cast<Eigen::Index>(points.size());
-    residuals.resize(rows);
-    jacobian.resize(rows, 2);
-    const double c = std::cos(parameters[1]);
-    const double s = std::sin(parameters[1]);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const Point p = points[static_cast<std::size_t>(i)] - reference;
-        residuals[i] = c * p.x() + s * p.y() + parameters[0];
-        jacobian(i, 0) = 1.0;
-        jacobian(i, 1) = c * p.y() - s * p.x();
-    }
+Eigen::Map<const Eigen::ArrayXd> columnOf(const std::vector<double>& numbers) {
+    return {numbers.data(), static_cast<Eigen::Index>(numbers.size())};
 }
+
+/// parameters (A, D, theta).
+class CurvedModel : public ColumnModel<3> {
+public:
+    CurvedModel(const PointColumns& points, const Point& reference)
+        : ColumnModel<3>(points)
+        , m_reference(reference) {}
+    void evaluate(At& at) const override {
+        const auto columns = this->columns(at);
+        Column byA = columnOf(columns[0], points());
+        Column byD = columnOf(columns[1], points());
+        Column byTheta = columnOf(columns[2], points());
+        Column distance = columnOf(at.residuals.data(), points());
+        const double a = at.parameters[0];
+        const double d = at.parameters[1];
+        const double e = std::sqrt(std::max(kSmallestE2, 1.0 + 4.0 * a * d));
+        const double c = std::cos(at.parameters[2]);
+        const double s = std::sin(at.parameters[2]);
+        const auto x = columnOf(points().x) - m_reference.x();
+        const auto y = columnOf(points().y) - m_reference.y();
+        // The columns first hold z, u and the power.
+        byA = x * x + y * y;
+        byD = c * x + s * y;
+        distance = a * byA + e * byD + d;
+        byTheta = (1.0 + 4.0 * a * distance).max(0.0).sqrt();
+        distance = 2.0 * distance / (1.0 + byTheta);
+        // d = P - A d^2 on the circle's side of its centre, hence dd = (dP - d^2 dA) / q.
+        byTheta = 1.0 / byTheta.max(1e-3);
+        byA = (byA + 2.0 * d / e * byD - distance * distance) * byTheta;
+        byD = (1.0 + 2.0 * a / e * byD) * byTheta;
+        byTheta = e * (c * y - s * x) * byTheta;
+    }
+
+private:
+    Point m_reference;
+};
+
+/// parameters (D, theta).
+class StraightModel : public ColumnModel<2> {
+public:
+    StraightModel(const PointColumns& points, const Point& reference)
+        : ColumnModel<2>(points)
+        , m_reference(reference) {}
+    void evaluate(At& at) const override {
+        const auto columns = this->columns(at);
+        const double c = std::cos(at.parameters[1]);
+        const double s = std::sin(at.parameters[1]);
+        const auto x = columnOf(points().x) - m_reference.x();
+        const auto y = columnOf(points().y) - m_reference.y();
+        columnOf(at.residuals.data(), points()) = c * x + s * y + at.parameters[0];
+        columnOf(columns[0], points()) = 1.0;
+        columnOf(columns[1], points()) = c * y - s * x;
+    }
+
+private:
+    Point m_reference;
+};
 
 std::optional<Eigen::Vector3d> circleThrough(const Point& p, const Point& q, const Point& r) {
     const Point a = q - p;
@@ -106,42 +129,50 @@ Eigen::Vector2d leastSquaresLine(std::span<const Point> points, const Point& mea
 }
 
 /// parameters: centre x, centre y, log a, log b, angle.
-void ellipseResiduals(std::span<const Point> points, const Eigen::VectorXd& parameters,
-                      Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
-    const double perA = std::exp(-parameters[2]);
-    const double perB = std::exp(-parameters[3]);
-    const double c = std::cos(parameters[4]);
-    const double s = std::sin(parameters[4]);
-    const auto rows = static_cast<Eigen::Index>(points.size());
-    residuals.resize(rows);
-    jacobian.resize(rows, 5);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const Point p = points[static_cast<std::size_t>(i)] - Point(parameters.head<2>());
-        // Along the axes, in their lengths.
-        const double u = (c * p.x() + s * p.y()) * perA;
-        const double v = (c * p.y() - s * p.x()) * perB;
-        const double level = std::sqrt(u * u + v * v);
-        const double slope = std::sqrt(u * u * perA * perA + v * v * perB * perB);
-        if (!(slope > 1e-9)) {
-            // In the middle, where no direction is the nearest one.
-            residuals[i] = -std::min(1.0 / perA, 1.0 / perB);
-            jacobian.row(i).setZero();
-            (perA > perB ? jacobian(i, 2) : jacobian(i, 3)) = residuals[i];
-            continue;
+class EllipseModel : public ColumnModel<5> {
+public:
+    using ColumnModel<5>::ColumnModel;
+    void evaluate(At& at) const override {
+        const auto columns = this->columns(at);
+        const double perA = std::exp(-at.parameters[2]);
+        const double perB = std::exp(-at.parameters[3]);
+        const double c = std::cos(at.parameters[4]);
+        const double s = std::sin(at.parameters[4]);
+        for (std::size_t i = 0; i < points().filled(); ++i) {
+            const double x = points().x[i] - at.parameters[0];
+            const double y = points().y[i] - at.parameters[1];
+            // Along the axes, in their lengths.
+            const double u = (c * x + s * y) * perA;
+            const double v = (c * y - s * x) * perB;
+            const double ua = u * perA;
+            const double vb = v * perB;
+            const double level2 = u * u + v * v;
+            const double slope2 = ua * ua + vb * vb;
+            if (!(slope2 > 1e-18)) {
+                // In the middle, where no direction is the nearest one.
+                at.residuals[i] = -std::min(1.0 / perA, 1.0 / perB);
+                for (double* column : columns)
+                    column[i] = 0.0;
+                columns[perA > perB ? 2 : 3][i] = at.residuals[i];
+                continue;
+            }
+            const double level = std::sqrt(level2);
+            const double perSlope = 1.0 / std::sqrt(slope2);
+            const double distance = level * (level - 1.0) * perSlope;
+            const double share = distance * perSlope * perSlope;
+            const double byLevel = (2.0 - 1.0 / level) * perSlope;
+            const double byU = byLevel * u - share * perA * ua;
+            const double byV = byLevel * v - share * perB * vb;
+            at.residuals[i] = distance;
+            columns[0][i] = -byU * c * perA + byV * s * perB;
+            columns[1][i] = -byU * s * perA - byV * c * perB;
+            // The slope also contains the length itself.
+            columns[2][i] = share * ua * ua - byU * u;
+            columns[3][i] = share * vb * vb - byV * v;
+            columns[4][i] = byU * v * perA / perB - byV * u * perB / perA;
         }
-        const double distance = level * (level - 1.0) / slope;
-        residuals[i] = distance;
-        const double byLevel = (2.0 * level - 1.0) / slope;
-        const double byU = (byLevel / level - distance / (slope * slope) * perA * perA) * u;
-        const double byV = (byLevel / level - distance / (slope * slope) * perB * perB) * v;
-        jacobian(i, 0) = -byU * c * perA + byV * s * perB;
-        jacobian(i, 1) = -byU * s * perA - byV * c * perB;
-        // The slope also contains the length itself.
-        jacobian(i, 2) = -byU * u + distance * u * u * perA * perA / (slope * slope);
-        jacobian(i, 3) = -byV * v + distance * v * v * perB * perB / (slope * slope);
-        jacobian(i, 4) = byU * v * perA / perB - byV * u * perB / perA;
     }
-}
+};
 
 } // namespace
 
@@ -203,14 +234,12 @@ std::optional<Eigen::Vector3d> taubinCircle(std::span<const Point> points) {
 }
 
 CurvedLineFit fitLine(std::span<const Point> points) {
+    const PointColumns columns(points);
     CurvedLineFit best;
-    const auto tryStart = [&](const Point& reference, const Eigen::VectorXd& start) {
-        const Residuals residuals = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-            straightResiduals(points, reference, p, r, j);
-        };
-        RobustFit fit = fitRobustly(residuals, start);
-        if (best.fit.parameters.size() == 0 ||
-            robustLoss(fit.residuals, kStartScale) < robustLoss(best.fit.residuals, kStartScale)) {
+    const auto tryStart = [&](const Point& reference, const Eigen::Vector2d& start) {
+        const StraightModel model(columns, reference);
+        RobustFit fit = fitRoughly(model, start);
+        if (best.fit.parameters.size() == 0 || robustLoss(fit) < robustLoss(best.fit)) {
             best.curve = {reference, 0.0, fit.parameters[0], fit.parameters[1]};
             best.fit = std::move(fit);
         }
@@ -227,6 +256,9 @@ CurvedLineFit fitLine(std::span<const Point> points) {
         if (along.norm() > 0.05)
             tryStart(a, Eigen::Vector2d(0.0, std::atan2(along.x(), -along.y())));
     }
+    best.fit = refined(StraightModel(columns, best.curve.reference), best.fit);
+    best.curve.d = best.fit.parameters[0];
+    best.curve.theta_rad = best.fit.parameters[1];
     return best;
 }
 
@@ -248,35 +280,35 @@ CurvedLineFit fitCurvedLine(std::span<const Point> points) {
     const Eigen::Vector2d line = leastSquaresLine(points, mean);
     starts.push_back({mean, 0.0, line[0], line[1]});
 
-    Eigen::VectorXd residuals;
-    Eigen::MatrixXd jacobian;
+    const PointColumns columns(points);
+    const auto parametersOf = [](const CurvedLine& s) { return Eigen::Vector3d(s.a, s.d, s.theta_rad); };
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const CurvedLine& s = starts[i];
-        curvedResiduals(points, s.reference, Eigen::Vector3d(s.a, s.d, s.theta_rad), residuals, jacobian);
-        order.emplace_back(robustLoss(residuals, kStartScale), i);
+        order.emplace_back(lossOfStart(CurvedModel(columns, s.reference), parametersOf(s)), i);
     }
     std::sort(order.begin(), order.end());
 
     CurvedLineFit best;
     for (std::size_t k = 0; k < std::min(kCurveStartsRefined, order.size()); ++k) {
         const CurvedLine& s = starts[order[k].second];
-        const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-            curvedResiduals(points, s.reference, p, r, j);
-        };
-        RobustFit fit = fitRobustly(evaluate, Eigen::Vector3d(s.a, s.d, s.theta_rad));
-        if (k == 0 || robustLoss(fit.residuals, kStartScale) < robustLoss(best.fit.residuals, kStartScale)) {
+        const CurvedModel model(columns, s.reference);
+        RobustFit fit = fitRoughly(model, parametersOf(s));
+        if (k == 0 || robustLoss(fit) < robustLoss(best.fit)) {
             best.curve = {s.reference, fit.parameters[0], fit.parameters[1], fit.parameters[2]};
             best.fit = std::move(fit);
         }
     }
+    best.fit = refined(CurvedModel(columns, best.curve.reference), best.fit);
+    best.curve.a = best.fit.parameters[0];
+    best.curve.d = best.fit.parameters[1];
+    best.curve.theta_rad = best.fit.parameters[2];
     return best;
 }
 
 RobustFit fitEllipse(std::span<const Point> points, const CurvedLine& circle) {
-    const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-        ellipseResiduals(points, p, r, j);
-    };
+    const PointColumns columns(points);
+    const EllipseModel model(columns);
     const Point mean = meanOf(points);
     const double angle = leastSquaresLine(points, mean)[1] - 0.5 * std::numbers::pi;
     const Point axis(std::cos(angle), std::sin(angle));
@@ -289,15 +321,14 @@ RobustFit fitEllipse(std::span<const Point> points, const CurvedLine& circle) {
     Eigen::VectorXd start(5);
     start << mean.x(), mean.y(), 0.5 * std::log(std::max(1e-4, 2.0 * along)),
         0.5 * std::log(std::max(1e-4, 2.0 * across)), angle;
-    RobustFit best = fitRobustly(evaluate, start);
+    RobustFit best = fitRoughly(model, start);
     if (!circle.straight() && circle.radius() < 2.0) {
         const double logRadius = std::log(circle.radius());
         start << circle.centre().x(), circle.centre().y(), logRadius, logRadius, angle;
-        RobustFit other = fitRobustly(evaluate, start);
-        if (robustLoss(other.residuals, kStartScale) < robustLoss(best.residuals, kStartScale))
+        if (RobustFit other = fitRoughly(model, start); robustLoss(other) < robustLoss(best))
             best = std::move(other);
     }
-    return best;
+    return refined(model, best);
 }
 
 double ellipseLength(const Eigen::VectorXd& parameters) {

@@ -3,6 +3,7 @@
 
 #include "backend/core/quantile.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -44,52 +45,82 @@ const std::array<double, kNoiseSteps>& noiseSteps() {
     return made;
 }
 
-double inlierDensity(double residual, double noise, double length) {
-    const double z = residual / noise;
-    return (1.0 - kOutlierShare) / length * std::exp(-0.5 * z * z) /
-           (noise * std::sqrt(2.0 * std::numbers::pi));
+/// Density of an inlier on the curve at each noise, but for its length.
+double peakDensity(double noise, double length) {
+    return (1.0 - kOutlierShare) / length / (noise * std::sqrt(2.0 * std::numbers::pi));
 }
 
-/// Sum of logarithms, by the logarithm of products.
-class LogSum {
+/// Factors between 1e-6 and 1e6 of which the product neither overflows nor underflows.
+constexpr Eigen::Index kMostFactors = 48;
+
+/// Logarithms of products of many factors, several products at once.
+template <int Products>
+class LogSums {
 public:
-    /// factor: between 1e-6 and 1e6.
-    void add(double factor) {
-        m_product *= factor;
+    using Numbers = Eigen::Array<double, Products, 1>;
+    /// factors: each between 1e-6 and 1e6.
+    void add(const Numbers& factors) {
+        m_products *= factors;
         if (++m_factors == kMostFactors)
             flush();
     }
-    [[nodiscard]] double sum() {
+    [[nodiscard]] Numbers sums() {
         flush();
-        return m_sum;
+        return m_sums;
     }
 
 private:
-    static constexpr int kMostFactors = 48; ///< of which the product neither overflows nor underflows
     void flush() {
-        m_sum += std::log(m_product);
-        m_product = 1.0;
+        m_sums += m_products.log();
+        m_products = 1.0;
         m_factors = 0;
     }
-    double m_sum = 0.0;
-    double m_product = 1.0;
+    Numbers m_sums = Numbers::Zero();
+    Numbers m_products = Numbers::Ones();
     int m_factors = 0;
 };
 
 /// Log likelihood of residuals at each noise; length: at least kSmallestNoise.
 std::array<double, kNoiseSteps> logLikelihoods(const Eigen::VectorXd& residuals, double length) {
     const std::array<double, kNoiseSteps>& noise = noiseSteps();
-    std::array<double, kNoiseSteps> likelihoods{};
-    const Eigen::ArrayXd squares = residuals.array().square();
-    Eigen::ArrayXd density(residuals.size());
-    for (std::size_t step = 0; step < kNoiseSteps; ++step) {
-        const double height = inlierDensity(0.0, noise[step], length);
-        density = height * (squares * (-0.5 / (noise[step] * noise[step]))).exp() + kOutlierDensity;
-        LogSum sum;
-        for (const double d : density)
-            sum.add(d);
-        likelihoods[step] = sum.sum();
+    // Three steps further down the noise is half as large, and the exponential the fourth power.
+    constexpr std::size_t kHalving = 3;
+    static_assert((kNoiseSteps - 1) % kHalving == 0 && kLargestNoise == 16.0 * kSmallestNoise &&
+                  kNoiseSteps == 1 + 4 * kHalving);
+    std::array<double, kNoiseSteps> peaks{};
+    for (std::size_t step = 0; step < kNoiseSteps; ++step)
+        peaks[step] = peakDensity(noise[step], length);
+    constexpr std::size_t kWide = 16; // steps from the largest noise down, filled up
+    using Numbers = Eigen::Array<double, kWide, 1>;
+    Numbers heights = Numbers::Zero();
+    for (std::size_t step = 0; step < kNoiseSteps; ++step)
+        heights[static_cast<Eigen::Index>(step)] = peaks[kNoiseSteps - 1 - step];
+    std::array<double, kHalving> exponents{};
+    for (std::size_t step = 0; step < kHalving; ++step) {
+        const double wide = noise[kNoiseSteps - 1 - step];
+        exponents[step] = -0.5 / (wide * wide);
     }
+    Eigen::Array<double, Eigen::Dynamic, kHalving> shares(residuals.size(), 3);
+    for (std::size_t step = 0; step < kHalving; ++step)
+        shares.col(static_cast<Eigen::Index>(step)) = (residuals.array().square() * exponents[step]).exp();
+    LogSums<kWide> sums;
+    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+        Numbers density;
+        std::array<double, kHalving> share{shares(i, 0), shares(i, 1), shares(i, 2)};
+        for (Eigen::Index step = 0; step < static_cast<Eigen::Index>(kWide); step += kHalving)
+            for (std::size_t k = 0;
+                 k < kHalving && step + static_cast<Eigen::Index>(k) < static_cast<Eigen::Index>(kWide);
+                 ++k) {
+                density[step + static_cast<Eigen::Index>(k)] = share[k];
+                share[k] *= share[k];
+                share[k] *= share[k];
+            }
+        sums.add(density * heights + kOutlierDensity);
+    }
+    const Numbers found = sums.sums();
+    std::array<double, kNoiseSteps> likelihoods{};
+    for (std::size_t step = 0; step < kNoiseSteps; ++step)
+        likelihoods[step] = found[static_cast<Eigen::Index>(kNoiseSteps - 1 - step)];
     return likelihoods;
 }
 
@@ -106,55 +137,70 @@ double advance(double from, double to, double period) {
 /// Log likelihood ratio: values normal about their median with a share of arbitrary ones, against values
 /// spread over the length. values: at least one.
 double logGain(std::vector<double> values, double length) {
-    const double median = core::upperMedianOf(std::vector(values));
+    const double median = core::upperMedianOf(values);
+    const auto count = static_cast<double>(values.size());
+    const Eigen::ArrayXd squares =
+        (Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size())) - median)
+            .square();
+    Eigen::ArrayXd factors(squares.size());
     double best = 0.0;
     for (double spread = kSmallestSpread; spread < length; spread *= 1.5) {
         const double height = (1.0 - kJumpShare) * length / (spread * std::sqrt(2.0 * std::numbers::pi));
-        LogSum gain;
-        for (const double value : values) {
-            const double z = (value - median) / spread;
-            gain.add(height * std::exp(-0.5 * z * z) + kJumpShare);
-        }
-        best = std::max(best, gain.sum() - std::log(static_cast<double>(values.size() + 1)));
+        const double penalty = std::log(count + 1);
+        if (count * std::log(height + kJumpShare) - penalty <= best)
+            break; // nor does any wider spread gain more
+        factors = height * (squares * (-0.5 / (spread * spread))).exp() + kJumpShare;
+        double gain = -penalty;
+        for (Eigen::Index i = 0; i < factors.size(); i += kMostFactors)
+            gain += std::log(factors.segment(i, std::min(kMostFactors, factors.size() - i)).prod());
+        best = std::max(best, gain);
     }
     return best;
 }
 
 Eigen::VectorXd eigenvaluesOf(const NormalMatrix& information) {
-    return Eigen::SelfAdjointEigenSolver<NormalMatrix>(information, Eigen::EigenvaluesOnly).eigenvalues();
+    Eigen::SelfAdjointEigenSolver<NormalMatrix> solver(information.rows());
+    return solver.compute(information, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-/// Logarithm of the volume of the parameters that explain the points, at this noise.
-double logVolume(const Eigen::VectorXd& eigenvalues, double noise, double freedom) {
-    double sum = 0.0;
-    for (const double l : eigenvalues) {
-        const double width = l > 0.0 ? noise * std::sqrt(2.0 * std::numbers::pi / l) : freedom;
-        sum += std::log(std::min(width, freedom));
+/// Logarithm of the volume of the parameters that explain the points, for several noises.
+class LogVolume {
+public:
+    LogVolume(const NormalMatrix& information, double largestNoise, double freedom)
+        : m_freedom(std::log(freedom)) {
+        const auto count = static_cast<double>(information.rows());
+        constexpr double kCircle = 2.0 * std::numbers::pi;
+        // When even the flattest direction is narrower than the freedom, the determinant says it all.
+        const double least = kCircle * largestNoise * largestNoise / (freedom * freedom);
+        const Eigen::LLT<NormalMatrix> factor(information);
+        if (factor.info() == Eigen::Success) {
+            const double logDeterminant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+            const double logMean = std::log(information.trace() / std::max(1.0, count - 1.0));
+            if (logDeterminant - (count - 1.0) * logMean > std::log(least)) {
+                m_all = count;
+                m_sum = 0.5 * (count * std::log(kCircle) - logDeterminant);
+                return;
+            }
+        }
+        for (const double l : eigenvaluesOf(information))
+            m_widths.push_back(l > 0.0 ? 0.5 * std::log(kCircle / l)
+                                       : std::numeric_limits<double>::infinity());
     }
-    return sum;
-}
+    /// noise: at most the largest.
+    [[nodiscard]] double at(double noise) const {
+        const double logNoise = std::log(noise);
+        double sum = m_sum + m_all * logNoise;
+        for (const double width : m_widths)
+            sum += std::min(logNoise + width, m_freedom);
+        return sum;
+    }
 
-/// Of deviations that are an Ornstein-Uhlenbeck process plus noise. sorted: places and deviations; kept: the
-/// correlation of each with the one before.
-double logLikelihoodOfProcess(std::span<const std::pair<double, double>> sorted, std::span<const double> kept,
-                              double amplitude, double noise, double length) {
-    const double prior = amplitude * amplitude;
-    double mean = 0.0;
-    double variance = prior;
-    LogSum sum;
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-        const double keep = kept[i];
-        mean *= keep;
-        variance = keep * keep * variance + (1.0 - keep * keep) * prior;
-        const double expected = variance + noise * noise;
-        const double off = sorted[i].second - mean;
-        sum.add(inlierDensity(off, std::sqrt(expected), length) + kOutlierDensity);
-        const double gain = variance / expected;
-        mean += gain * off;
-        variance *= 1.0 - gain;
-    }
-    return sum.sum();
-}
+private:
+    double m_freedom;
+    double m_all = 0.0; ///< directions of which the sum is known
+    double m_sum = 0.0;
+    std::vector<double> m_widths; ///< log for noise 1, of the others
+};
 
 } // namespace
 
@@ -195,25 +241,51 @@ double logEvidenceOfDeparture(const RobustFit& fit, std::span<const double> plac
                               double period) {
     const double curve = std::max(length, kSmallestNoise);
     std::vector<std::pair<double, double>> sorted; // place, residual
+    sorted.reserve(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
         sorted.emplace_back(period > 0.0 ? places[i] - period * std::floor(places[i] / period) : places[i],
                             fit.residuals[static_cast<Eigen::Index>(i)]);
     std::ranges::sort(sorted);
-    const Eigen::VectorXd eigenvalues =
-        eigenvaluesOf(normalMatrix(fit.jacobian, Eigen::VectorXd::Ones(fit.jacobian.rows())));
-    double sum = -std::numeric_limits<double>::infinity();
-    std::vector<double> kept(sorted.size(), 0.0); // correlation of a deviation with the one before
-    for (const double reach : kReaches) {
-        for (std::size_t i = 1; i < sorted.size(); ++i)
-            kept[i] = std::exp(-(sorted[i].first - sorted[i - 1].first) / (reach * curve));
-        for (const double amplitude : kAmplitudes)
-            for (const double noise : kDepartureNoises) {
-                const double parameters = logVolume(eigenvalues, std::hypot(noise, amplitude), 1.0);
-                sum = logSum(sum, logLikelihoodOfProcess(sorted, kept, amplitude, noise, curve) + parameters);
-            }
+    // Kalman's filter for every amplitude and noise at once.
+    constexpr int kPairs = kAmplitudes.size() * kDepartureNoises.size();
+    using Numbers = Eigen::Array<double, kPairs + kPairs % 2, 1>;
+    Numbers prior = Numbers::Ones();
+    Numbers noise2 = Numbers::Ones();
+    for (std::size_t pair = 0; pair < kPairs; ++pair) {
+        const double amplitude = kAmplitudes[pair / kDepartureNoises.size()];
+        const double noise = kDepartureNoises[pair % kDepartureNoises.size()];
+        prior[static_cast<Eigen::Index>(pair)] = amplitude * amplitude;
+        noise2[static_cast<Eigen::Index>(pair)] = noise * noise;
     }
-    return sum -
-           std::log(static_cast<double>(kReaches.size() * kAmplitudes.size() * kDepartureNoises.size()));
+    const NormalMatrix information = normalMatrix(fit.jacobian, Eigen::VectorXd::Ones(fit.jacobian.rows()));
+    const LogVolume volume(information, std::hypot(kAmplitudes.back(), kDepartureNoises.back()), 1.0);
+    Numbers parameters = Numbers::Zero();
+    for (Eigen::Index pair = 0; pair < kPairs; ++pair)
+        parameters[pair] = volume.at(std::sqrt(prior[pair] + noise2[pair]));
+    const double peak = peakDensity(1.0, curve);
+    double sum = -std::numeric_limits<double>::infinity();
+    for (const double reach : kReaches) {
+        Numbers mean = Numbers::Zero();
+        Numbers variance = prior;
+        LogSums<Numbers::RowsAtCompileTime> likelihood;
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            // Correlation of a deviation with the one before.
+            const double keep =
+                i > 0 ? std::exp(-(sorted[i].first - sorted[i - 1].first) / (reach * curve)) : 0.0;
+            mean *= keep;
+            variance = keep * keep * variance + (1.0 - keep * keep) * prior;
+            const Numbers inverse = 1.0 / (variance + noise2);
+            const Numbers off = sorted[i].second - mean;
+            likelihood.add(peak * inverse.sqrt() * (-0.5 * off * off * inverse).exp() + kOutlierDensity);
+            const Numbers gain = variance * inverse;
+            mean += gain * off;
+            variance *= 1.0 - gain;
+        }
+        const Numbers sums = likelihood.sums() + parameters;
+        for (Eigen::Index pair = 0; pair < kPairs; ++pair)
+            sum = logSum(sum, sums[pair]);
+    }
+    return sum - std::log(static_cast<double>(kReaches.size() * kPairs));
 }
 
 double logEvidenceOfWalk(std::span<const Point> points, const RobustFit& fit, std::span<const double> places,
@@ -263,30 +335,45 @@ double rmsOfInliers(const RobustFit& fit, const Evidence& evidence) {
     return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
 
-Evidence evidence(const RobustFit& fit, double length, const Assumptions& assumptions) {
-    const double curve = std::max(length, kSmallestNoise);
-    const Eigen::Index count = fit.residuals.size();
-    const std::array<double, kNoiseSteps>& noise = noiseSteps();
-    const std::array<double, kNoiseSteps> likelihood = logLikelihoods(fit.residuals, curve);
-    const auto best =
-        static_cast<std::size_t>(std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin());
+namespace {
 
-    Evidence result;
-    result.deviation = noise[best];
-    Eigen::VectorXd weights(count);
-    result.outliers.resize(static_cast<std::size_t>(count));
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double inlier = inlierDensity(fit.residuals[i], noise[best], curve);
-        weights[i] = inlier / (inlier + kOutlierDensity);
-        result.outliers[static_cast<std::size_t>(i)] = weights[i] < 0.5;
-    }
-    const Eigen::VectorXd eigenvalues = eigenvaluesOf(normalMatrix(fit.jacobian, weights));
-    result.logEvidence = -std::numeric_limits<double>::infinity();
-    for (std::size_t step = 0; step < kNoiseSteps; ++step)
-        result.logEvidence = logSum(
-            result.logEvidence, likelihood[step] + logVolume(eigenvalues, noise[step], assumptions.freedom));
-    result.logEvidence -= std::log(static_cast<double>(kNoiseSteps));
+struct Judged {
+    std::array<double, kNoiseSteps> likelihood; ///< log, at each noise
+    Eigen::VectorXd weights;                    ///< probability of not being an outlier
+    Evidence evidence;
+};
+
+Judged judged(const Eigen::VectorXd& residuals, double curve) {
+    const std::array<double, kNoiseSteps>& noise = noiseSteps();
+    Judged result{logLikelihoods(residuals, curve), Eigen::VectorXd(residuals.size()), {}};
+    const auto best =
+        static_cast<std::size_t>(std::ranges::max_element(result.likelihood) - result.likelihood.begin());
+    result.evidence.logEvidence = kImpossibleEvidence;
+    result.evidence.deviation = noise[best];
+    result.weights = peakDensity(noise[best], curve) *
+                     (residuals.array().square() * (-0.5 / (noise[best] * noise[best]))).exp();
+    result.weights = result.weights.array() / (result.weights.array() + kOutlierDensity);
+    result.evidence.outliers.resize(static_cast<std::size_t>(residuals.size()));
+    for (Eigen::Index i = 0; i < residuals.size(); ++i)
+        result.evidence.outliers[static_cast<std::size_t>(i)] = result.weights[i] < 0.5;
     return result;
+}
+
+} // namespace
+
+Evidence judge(const Eigen::VectorXd& residuals, double length) {
+    return judged(residuals, std::max(length, kSmallestNoise)).evidence;
+}
+
+Evidence evidence(const RobustFit& fit, double length, const Assumptions& assumptions) {
+    Judged found = judged(fit.residuals, std::max(length, kSmallestNoise));
+    const std::array<double, kNoiseSteps>& noise = noiseSteps();
+    const LogVolume volume(normalMatrix(fit.jacobian, found.weights), kLargestNoise, assumptions.freedom);
+    double& sum = found.evidence.logEvidence;
+    for (std::size_t step = 0; step < kNoiseSteps; ++step)
+        sum = logSum(sum, found.likelihood[step] + volume.at(noise[step]));
+    sum -= std::log(static_cast<double>(kNoiseSteps));
+    return std::move(found.evidence);
 }
 
 } // namespace teleta::contour

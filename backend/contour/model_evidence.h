@@ -38,6 +38,10 @@ struct Assumptions {
 /// parameters than there are points: those that no point determines cost nothing. Thread: any (pure).
 [[nodiscard]] Evidence evidence(const RobustFit& fit, double length, const Assumptions& assumptions = {});
 
+/// The part of evidence() that needs no Jacobian: deviation and outliers; logEvidence is that of an
+/// impossible model.
+[[nodiscard]] Evidence judge(const Eigen::VectorXd& residuals, double length);
+
 /// Root mean square of the residuals of the inliers; 0 when all points are outliers.
 [[nodiscard]] double rmsOfInliers(const RobustFit& fit, const Evidence& evidence);
 

@@ -40,20 +40,17 @@ void trimEnds(std::span<const Point> points, const Evidence& judged, Eigen::Vect
     vertices.tail<2>() = end;
 }
 
-ChainFit fitChain(std::span<const Point> points, const Eigen::VectorXd& start, bool closed) {
-    const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-        polylineResiduals(points, p, closed, r, j);
-        // Otherwise a vertex that few points determine could drift away along its edge.
-        if (p.cwiseAbs().maxCoeff() > kFarthestVertex)
-            r.setConstant(kFarthestVertex);
-    };
+ChainFit fitChain(std::span<const Point> points, const PointColumns& columns, const Eigen::VectorXd& start,
+                  bool closed, bool roughly) {
+    // Otherwise a vertex that few points determine could drift away along its edge.
+    const PolylineModel model(columns, closed, kFarthestVertex);
     ChainFit chain;
-    chain.fit = fitRobustly(evaluate, start);
+    chain.fit = roughly ? fitRoughly(model, start) : fitRobustly(model, start);
     chain.closed = closed;
     chain.edges = static_cast<std::size_t>(start.size()) / 2 - (closed ? 0 : 1);
     if (!closed) {
-        trimEnds(points, evidence(chain.fit, 1.0), chain.fit.parameters);
-        evaluate(chain.fit.parameters, chain.fit.residuals, chain.fit.jacobian);
+        trimEnds(points, judge(chain.fit.residuals, 1.0), chain.fit.parameters);
+        chain.fit = model.fitAt(chain.fit.parameters);
     }
     // A vertex between two points without an edge, and the end of an open chain, can move by one spacing.
     const double length = polylineLength(chain.fit.parameters, closed);
@@ -64,13 +61,14 @@ ChainFit fitChain(std::span<const Point> points, const Eigen::VectorXd& start, b
 
 } // namespace
 
-std::vector<ChainFit> fitChains(std::span<const Point> points, bool closed, std::size_t maximumEdges) {
-    const std::vector<Point> smooth = withoutSpikes(points, closed);
-    const EdgeRuns runs(smooth, closed, maximumEdges);
+std::vector<ChainFit> fitChains(std::span<const Point> points, std::span<const Point> ordered, bool closed,
+                                std::size_t maximumEdges, std::size_t roughEdges) {
+    const PointColumns columns(points);
+    const EdgeRuns runs(withoutSpikes(ordered, closed), closed, maximumEdges);
     std::vector<ChainFit> chains;
     std::size_t best = 0;
     for (std::size_t edges = closed ? 3 : 1; edges <= runs.maximumEdges(); ++edges) {
-        chains.push_back(fitChain(points, runs.vertices(edges), closed));
+        chains.push_back(fitChain(points, columns, runs.vertices(edges), closed, edges <= roughEdges));
         if (chains.back().evidence.logEvidence > chains[best].evidence.logEvidence)
             best = chains.size() - 1;
         else if (chains.size() - 1 - best >= kPatience)
@@ -80,7 +78,12 @@ std::vector<ChainFit> fitChains(std::span<const Point> points, bool closed, std:
 }
 
 ChainFit fitClosedChain(std::span<const Point> points, const Eigen::VectorXd& start) {
-    return fitChain(points, start, true);
+    return fitChain(points, PointColumns(points), start, true, true);
+}
+
+RobustFit refinedClosedChain(std::span<const Point> points, const ChainFit& chain) {
+    const PointColumns columns(points);
+    return refined(PolylineModel(columns, true, kFarthestVertex), chain.fit);
 }
 
 std::optional<Polygon> findPolygon(std::span<const Point> points_m, std::optional<bool> closed) {
@@ -93,9 +96,9 @@ std::optional<Polygon> findPolygon(std::span<const Point> points_m, std::optiona
 
     const std::vector<Point> ordered = mergedLaps(contour.points);
     const bool isClosed = closed.value_or(returnsToItsStart(ordered));
-    std::vector<ChainFit> chains = fitChains(ordered, isClosed, kMaximumEdges);
+    std::vector<ChainFit> chains = fitChains(ordered, ordered, isClosed, kMaximumEdges);
     if (chains.empty())
-        chains = fitChains(ordered, false, kMaximumEdges);
+        chains = fitChains(ordered, ordered, false, kMaximumEdges);
     const auto best = std::ranges::max_element(
         chains, {}, [](const ChainFit& chain) { return chain.evidence.logEvidence; });
     polygon.closed = best->closed;

@@ -44,12 +44,15 @@ struct ChainFit {
 
 /// Fits chains of 1 (open) or 3 (closed) and more edges, until three more edges in a row have not raised the
 /// evidence. The ends of an open chain are known only to one spacing, so its evidence is divided by the
-/// squared number of points. points: in the order of exploration; the first guess leaves spikes out, the fit
-/// uses all points.
-[[nodiscard]] std::vector<ChainFit> fitChains(std::span<const Point> points, bool closed,
-                                              std::size_t maximumEdges);
+/// squared number of points. points: all, in any order; ordered: the same in the order of exploration, for
+/// the first guess, which leaves spikes out; roughEdges: up to so many edges only as fitRoughly().
+[[nodiscard]] std::vector<ChainFit> fitChains(std::span<const Point> points, std::span<const Point> ordered,
+                                              bool closed, std::size_t maximumEdges,
+                                              std::size_t roughEdges = 0);
 
-/// Fits a closed chain. start: coordinates of the vertices of the first guess.
+/// Fits a closed chain as fitRoughly(). start: coordinates of the vertices of the first guess.
 [[nodiscard]] ChainFit fitClosedChain(std::span<const Point> points, const Eigen::VectorXd& start);
+/// The rest of the way. points: those to which the chain was fitted.
+[[nodiscard]] RobustFit refinedClosedChain(std::span<const Point> points, const ChainFit& chain);
 
 } // namespace teleta::contour

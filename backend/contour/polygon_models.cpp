@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/polygon_models.h"
 
+#include "backend/contour/lanes.h"
 #include "backend/contour/polyline_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace teleta::contour {
@@ -14,6 +17,7 @@ namespace {
 constexpr double kTouchedMargin =
     0.05; ///< of an edge; nearer to a vertex the point may belong to the next edge
 constexpr std::size_t kPolygonStartsRefined = 4;
+constexpr double kAtCorner = 1e-12; ///< nearer than this no direction leads away from a corner
 
 /// (centre x, centre y, angle, half width, half height) to the coordinates of four vertices.
 Eigen::VectorXd corners(const Eigen::VectorXd& box) {
@@ -27,21 +31,6 @@ Eigen::VectorXd corners(const Eigen::VectorXd& box) {
         vertices[2 * i + 1] = box[1] + s * u + c * v;
     }
     return vertices;
-}
-
-Eigen::Matrix<double, 8, 5> cornerDerivatives(const Eigen::VectorXd& box) {
-    const double c = std::cos(box[2]);
-    const double s = std::sin(box[2]);
-    Eigen::Matrix<double, 8, 5> derivatives;
-    for (Eigen::Index i = 0; i < 4; ++i) {
-        const double su = i == 0 || i == 3 ? -1.0 : 1.0;
-        const double sv = i < 2 ? -1.0 : 1.0;
-        const double u = su * box[3];
-        const double v = sv * box[4];
-        derivatives.row(2 * i) << 1.0, 0.0, -s * u - c * v, c * su, -s * sv;
-        derivatives.row(2 * i + 1) << 0.0, 1.0, c * u - s * v, s * su, c * sv;
-    }
-    return derivatives;
 }
 
 /// Boxes at several angles around the middle nine tenths of the points.
@@ -98,36 +87,168 @@ Eigen::VectorXd boxNear(const Eigen::VectorXd& quadrilateral) {
     return box;
 }
 
-void keepBetter(PolygonFit& best, RobustFit fit, const auto& verticesOf) {
-    Evidence judged = evidence(fit, polylineLength(verticesOf(fit.parameters), true));
-    if (judged.logEvidence > best.judged.logEvidence)
-        best = {std::move(fit), std::move(judged), {}};
+/// A rectangle; distances are positive inside. Symmetric in the signs of its halves.
+class RectangleModel : public ColumnModel<5> {
+public:
+    using ColumnModel<5>::ColumnModel;
+    void evaluate(At& at) const override {
+        const auto columns = this->columns(at);
+        double* const byX = columns[0];
+        double* const byY = columns[1];
+        double* const byAngle = columns[2];
+        double* const byWidth = columns[3];
+        double* const byHeight = columns[4];
+        const PointColumns& p = points();
+        const double c = std::cos(at.parameters[2]);
+        const double s = std::sin(at.parameters[2]);
+        const double width = std::abs(at.parameters[3]);
+        const double height = std::abs(at.parameters[4]);
+        const double widthSide = at.parameters[3] < 0.0 ? -1.0 : 1.0;
+        const double heightSide = at.parameters[4] < 0.0 ? -1.0 : 1.0;
+        doInLanes([&]() __attribute__((always_inline)) {
+            for (std::size_t i = 0; i < p.filled(); i += kLanes) {
+                Lanes x;
+                load(x, p.x.data() + i);
+                x -= at.parameters[0];
+                Lanes y;
+                load(y, p.y.data() + i);
+                y -= at.parameters[1];
+                const Lanes u = c * x + s * y;
+                const Lanes v = c * y - s * x;
+                const Lanes zero{};
+                const Lanes one = 1.0 - zero;
+                const Lanes uSide = u < zero ? -one : one;
+                const Lanes vSide = v < zero ? -one : one;
+                const Lanes beyondU = u * uSide - width;
+                const Lanes beyondV = v * vSide - height;
+                Lanes out = beyondU > beyondV ? beyondU : beyondV;
+                Lanes slopeU = beyondU > beyondV ? one : zero;
+                Lanes slopeV = one - slopeU;
+                for (std::size_t lane = 0; lane < kLanes; ++lane)
+                    if (beyondU[lane] > -kAtCorner && beyondV[lane] > -kAtCorner) { // nearest to a corner
+                        const double away =
+                            std::sqrt(beyondU[lane] * beyondU[lane] + beyondV[lane] * beyondV[lane]);
+                        const double inverse = away > kAtCorner ? 1.0 / away : 0.0;
+                        out[lane] = away;
+                        slopeU[lane] = beyondU[lane] * inverse;
+                        slopeV[lane] = beyondV[lane] * inverse;
+                    }
+                store(at.residuals.data() + i, -out);
+                store(byWidth + i, slopeU * widthSide);
+                store(byHeight + i, slopeV * heightSide);
+                slopeU *= uSide;
+                slopeV *= vSide;
+                store(byX + i, c * slopeU - s * slopeV);
+                store(byY + i, s * slopeU + c * slopeV);
+                store(byAngle + i, slopeV * u - slopeU * v);
+            }
+        });
+    }
+};
+
+/// A regular polygon, one of whose corners is at the angle; distances are positive inside.
+class RegularPolygonModel : public ColumnModel<4> {
+public:
+    RegularPolygonModel(const PointColumns& points, int sides)
+        : ColumnModel<4>(points)
+        , m_sides(sides) {}
+    void evaluate(At& at) const override {
+        const auto columns = this->columns(at);
+        double* const byX = columns[0];
+        double* const byY = columns[1];
+        double* const byLogRadius = columns[2];
+        double* const byAngle = columns[3];
+        const PointColumns& p = points();
+        const double half_rad = std::numbers::pi / m_sides;
+        const double radius = std::exp(at.parameters[2]);
+        const double apothem = radius * std::cos(half_rad);
+        const double half = radius * std::sin(half_rad);
+        std::array<std::array<double, 2>, kMostSides> normals; // outward, of each edge
+        for (int e = 0; e < m_sides; ++e) {
+            const double angle_rad = at.parameters[3] + (2 * e + 1) * half_rad;
+            normals[static_cast<std::size_t>(e)] = {std::cos(angle_rad), std::sin(angle_rad)};
+        }
+        doInLanes([&]() __attribute__((always_inline)) {
+            for (std::size_t i = 0; i < p.filled(); i += kLanes) {
+                Lanes x;
+                load(x, p.x.data() + i);
+                x -= at.parameters[0];
+                Lanes y;
+                load(y, p.y.data() + i);
+                y -= at.parameters[1];
+                Lanes c = normals[0][0] - Lanes{};
+                Lanes s = normals[0][1] - Lanes{};
+                Lanes across = c * x + s * y;
+                for (int e = 1; e < m_sides; ++e) {
+                    const auto& [cosine, sine] = normals[static_cast<std::size_t>(e)];
+                    const Lanes here = cosine * x + sine * y;
+                    const auto nearer = here > across;
+                    across = nearer ? here : across;
+                    c = nearer ? cosine - Lanes{} : c;
+                    s = nearer ? sine - Lanes{} : s;
+                }
+                const Lanes along = c * y - s * x;
+                Lanes out = across - apothem;
+                Lanes slope = 1.0 - Lanes{};
+                Lanes slopeAlong{};
+                for (std::size_t lane = 0; lane < kLanes; ++lane)
+                    if (const double beyond = std::abs(along[lane]) - half;
+                        beyond > -kAtCorner && out[lane] > -kAtCorner) {
+                        const double away = std::sqrt(out[lane] * out[lane] + beyond * beyond);
+                        const double inverse = away > kAtCorner ? 1.0 / away : 0.0;
+                        slope[lane] = out[lane] * inverse;
+                        slopeAlong[lane] = std::copysign(beyond * inverse, along[lane]);
+                        out[lane] = away;
+                    }
+                store(at.residuals.data() + i, -out);
+                store(byX + i, c * slope - s * slopeAlong);
+                store(byY + i, s * slope + c * slopeAlong);
+                const Lanes zero{};
+                store(byLogRadius + i,
+                      slope * apothem + (slopeAlong < zero ? -slopeAlong : slopeAlong) * half);
+                store(byAngle + i, slopeAlong * across - slope * along);
+            }
+        });
+    }
+
+private:
+    static constexpr std::size_t kMostSides = 6;
+    int m_sides;
+};
+
+/// Refines every start and keeps the most probable polygon.
+PolygonFit bestOf(const RobustModel& model, const std::vector<RobustModel::Parameters>& starts,
+                  const auto& verticesOf) {
+    PolygonFit best;
+    for (const RobustModel::Parameters& start : starts) {
+        RobustFit fit = fitRoughly(model, start);
+        Evidence judged = evidence(fit, polylineLength(verticesOf(fit.parameters), true));
+        if (judged.logEvidence > best.judged.logEvidence)
+            best = {std::move(fit), std::move(judged), {}};
+    }
+    best.fit = refined(model, best.fit);
+    best.judged = evidence(best.fit, polylineLength(verticesOf(best.fit.parameters), true));
+    return best;
 }
 
 } // namespace
 
 PolygonFit fitRectangle(std::span<const Point> points, const std::vector<Eigen::VectorXd>& quadrilaterals) {
-    Eigen::MatrixXd byVertices;
-    const Residuals evaluate = [&](const Eigen::VectorXd& box, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-        polylineResiduals(points, corners(box), true, r, byVertices);
-        j.noalias() = byVertices.lazyProduct(cornerDerivatives(box));
-    };
+    const PointColumns columns(points);
+    const RectangleModel model(columns);
     std::vector<Eigen::VectorXd> starts = boxesAround(points);
     for (const Eigen::VectorXd& quadrilateral : quadrilaterals)
         starts.push_back(boxNear(quadrilateral));
     std::vector<std::pair<double, std::size_t>> order;
-    Eigen::VectorXd residuals;
-    Eigen::MatrixXd jacobian;
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        evaluate(starts[i], residuals, jacobian);
-        order.emplace_back(robustLoss(residuals, kStartScale), i);
-    }
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        order.emplace_back(lossOfStart(model, starts[i]), i);
     std::sort(order.begin(), order.end());
     order.resize(std::min(order.size(), kPolygonStartsRefined));
-
-    PolygonFit best;
+    std::vector<RobustModel::Parameters> refined;
     for (const auto& [loss, start] : order)
-        keepBetter(best, fitRobustly(evaluate, starts[start]), corners);
+        refined.emplace_back(starts[start]);
+
+    PolygonFit best = bestOf(model, refined, corners);
     best.fit.parameters.tail<2>() = best.fit.parameters.tail<2>().cwiseAbs().eval();
     best.vertices = corners(best.fit.parameters);
     return best;
@@ -145,24 +266,12 @@ PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Poi
         }
         return chain;
     };
-    Eigen::MatrixXd byVertices;
-    Eigen::MatrixXd derivatives(2 * sides, 4);
-    const Residuals evaluate = [&](const Eigen::VectorXd& p, Eigen::VectorXd& r, Eigen::MatrixXd& j) {
-        const Eigen::VectorXd chain = vertices(p);
-        polylineResiduals(points, chain, true, r, byVertices);
-        for (int i = 0; i < sides; ++i) {
-            const double x = chain[2 * i] - p[0];
-            const double y = chain[2 * i + 1] - p[1];
-            derivatives.row(2 * i) << 1.0, 0.0, x, -y;
-            derivatives.row(2 * i + 1) << 0.0, 1.0, y, x;
-        }
-        j.noalias() = byVertices.lazyProduct(derivatives);
-    };
-    PolygonFit best;
-    for (int k = 0; k < kAngles; ++k) {
-        const Eigen::Vector4d start(centre.x(), centre.y(), std::log(1.1 * radius), turn * k / kAngles);
-        keepBetter(best, fitRobustly(evaluate, start), vertices);
-    }
+    const PointColumns columns(points);
+    std::vector<RobustModel::Parameters> starts;
+    for (int k = 0; k < kAngles; ++k)
+        starts.emplace_back(
+            Eigen::Vector4d(centre.x(), centre.y(), std::log(1.1 * radius), turn * k / kAngles));
+    PolygonFit best = bestOf(RegularPolygonModel(columns, sides), starts, vertices);
     best.vertices = vertices(best.fit.parameters);
     return best;
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/polyline_model.h"
 
+#include "backend/contour/lanes.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace teleta::contour {
@@ -14,102 +18,231 @@ constexpr double kParallelSine = 0.05;
 constexpr double kFarthestRunVertex = 0.6; ///< from the ends of the runs that meet in it
 constexpr std::size_t kPointsOfRun = 2;
 
-struct Nearest {
-    Eigen::Index edge = 0;
-    double share = 0.0;    ///< of the edge, within its reach
-    double distance = 0.0; ///< signed
-    Point gradient = Point::Zero();
+struct Edge {
+    double x; ///< of its start
+    double y;
+    double alongX;
+    double alongY;
+    double normalX; ///< to the left; of an edge without length 0
+    double normalY;
+    double inverse; ///< of the squared length; 0 of an edge without length
+    double least;   ///< share of its length within its reach
+    double most;
 };
 
+/// Edges of a chain of at most kMostParameters coordinates are kept on the stack.
 class Edges {
 public:
-    Edges(const Eigen::VectorXd& vertices, bool closed)
-        : m_closed(closed) {
-        const Eigen::Index count = vertices.size() / 2;
-        for (Eigen::Index e = 0; e < (closed ? count : count - 1); ++e) {
-            const Point start = vertices.segment<2>(2 * e);
-            const Point along = Point(vertices.segment<2>(2 * ((e + 1) % count))) - start;
-            const double length2 = along.squaredNorm();
-            m_edges.push_back({start, along, length2 > kShortestEdge * kShortestEdge ? 1.0 / length2 : 0.0});
-        }
-    }
-
-    [[nodiscard]] Nearest nearest(const Point& p) const {
-        std::size_t edge = 0;
-        double share = 0.0;
-        double smallest = std::numeric_limits<double>::infinity();
-        for (std::size_t e = 0; e < m_edges.size(); ++e) {
-            const Point from = p - m_edges[e].start;
-            double s = from.dot(m_edges[e].along) * m_edges[e].inverse;
-            if (m_closed || e > 0)
-                s = std::max(s, 0.0);
-            if (m_closed || e + 1 < m_edges.size())
-                s = std::min(s, 1.0);
-            const double away2 = (from - s * m_edges[e].along).squaredNorm();
-            if (away2 < smallest) {
-                smallest = away2;
-                edge = e;
-                share = s;
-            }
-        }
-        const Edge& nearestEdge = m_edges[edge];
-        const Point from = p - nearestEdge.start;
-        const bool reachesBack = !m_closed && edge == 0;
-        const bool reachesOn = !m_closed && edge + 1 == m_edges.size();
-        Nearest result;
-        result.edge = static_cast<Eigen::Index>(edge);
-        result.share = share;
-        if (nearestEdge.inverse > 0.0 && (share > 0.0 || reachesBack) && (share < 1.0 || reachesOn)) {
-            result.gradient =
-                Point(-nearestEdge.along.y(), nearestEdge.along.x()) * std::sqrt(nearestEdge.inverse);
-            result.distance = result.gradient.dot(from);
-        } else {
-            const Point away = from - share * nearestEdge.along;
-            const double distance = away.norm();
-            const double side = cross(nearestEdge.along, from) < 0.0 ? -1.0 : 1.0;
-            result.distance = side * distance;
-            if (distance > 0.0)
-                result.gradient = side / distance * away;
-        }
-        return result;
-    }
+    Edges(std::span<const double> vertices, bool closed);
+    [[nodiscard]] std::span<const Edge> all() const { return {m_edges.data(), m_count}; }
 
 private:
-    struct Edge {
-        Point start;
-        Point along;
-        double inverse; ///< of the squared length; 0 of an edge without length
-    };
-    std::vector<Edge> m_edges;
-    bool m_closed;
+    std::size_t m_count;
+    std::array<Edge, kMostParameters / 2> m_edges;
 };
+
+Edges::Edges(std::span<const double> vertices, bool closed)
+    : m_count(vertices.size() / 2 - (closed ? 0 : 1)) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const std::size_t count = vertices.size() / 2;
+    for (std::size_t e = 0; e < m_count; ++e) {
+        const std::size_t next = e + 1 < count ? e + 1 : 0;
+        Edge& edge = m_edges[e];
+        edge.x = vertices[2 * e];
+        edge.y = vertices[2 * e + 1];
+        edge.alongX = vertices[2 * next] - edge.x;
+        edge.alongY = vertices[2 * next + 1] - edge.y;
+        const double length2 = edge.alongX * edge.alongX + edge.alongY * edge.alongY;
+        edge.inverse = length2 > kShortestEdge * kShortestEdge ? 1.0 / length2 : 0.0;
+        const double inverse = std::sqrt(edge.inverse);
+        edge.normalX = -edge.alongY * inverse;
+        edge.normalY = edge.alongX * inverse;
+        edge.least = closed || e > 0 ? 0.0 : -kFar;
+        edge.most = closed || e + 1 < m_count ? 1.0 : kFar;
+    }
+}
+
+/// Index of the nearest edge of each point and the place on it, as share of its length.
+void findNearest(const PointColumns& points, std::span<const Edge> edges, double* nearest, double* shares) {
+    doInLanes([&]() __attribute__((always_inline)) {
+        for (std::size_t i = 0; i < points.filled(); i += kLanes) {
+            Lanes x, y;
+            load(x, points.x.data() + i);
+            load(y, points.y.data() + i);
+            Lanes edge{}, share{}, index{};
+            Lanes smallest = std::numeric_limits<double>::infinity() - Lanes{};
+            for (const Edge& e : edges) {
+                const Lanes fromX = x - e.x;
+                const Lanes fromY = y - e.y;
+                Lanes s = (fromX * e.alongX + fromY * e.alongY) * e.inverse;
+                s = s < e.least ? e.least - Lanes{} : s;
+                s = s > e.most ? e.most - Lanes{} : s;
+                const Lanes awayX = fromX - s * e.alongX;
+                const Lanes awayY = fromY - s * e.alongY;
+                const Lanes away2 = awayX * awayX + awayY * awayY;
+                const auto nearer = away2 < smallest;
+                smallest = nearer ? away2 : smallest;
+                edge = nearer ? index : edge;
+                share = nearer ? s : share;
+                index += 1.0;
+            }
+            store(nearest + i, edge);
+            store(shares + i, share);
+        }
+    });
+}
+
+std::span<const double> numbersOf(const auto& vertices) {
+    return {vertices.data(), static_cast<std::size_t>(vertices.size())};
+}
 
 } // namespace
 
-void polylineResiduals(std::span<const Point> points, const Eigen::VectorXd& vertices, bool closed,
-                       Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
-    const auto rows = static_cast<Eigen::Index>(points.size());
-    const Eigen::Index count = vertices.size() / 2;
-    residuals.resize(rows);
-    jacobian.setZero(rows, vertices.size());
-    const Edges edges(vertices, closed);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const Nearest n = edges.nearest(points[static_cast<std::size_t>(i)]);
-        residuals[i] = n.distance;
-        jacobian.block<1, 2>(i, 2 * n.edge) = -(1.0 - n.share) * n.gradient.transpose();
-        jacobian.block<1, 2>(i, 2 * ((n.edge + 1) % count)) = -n.share * n.gradient.transpose();
+// The derivatives are four columns: the nearest edge, the share of its length, and the derivative of the
+// distance by the point.
+void PolylineModel::evaluate(At& at) const {
+    const std::size_t filled = m_points.filled();
+    at.residuals.resize(filled);
+    at.derivatives.resize(4 * filled);
+    double* nearest = at.derivatives.data();
+    double* shares = nearest + filled;
+    double* byX = shares + filled;
+    double* byY = byX + filled;
+    const Edges chain(numbersOf(at.parameters), m_closed);
+    const std::span<const Edge> edges = chain.all();
+    findNearest(m_points, edges, nearest, shares);
+    for (std::size_t i = 0; i < filled; ++i) {
+        const Edge& edge = edges[static_cast<std::size_t>(nearest[i])];
+        const double share = shares[i];
+        const double fromX = m_points.x[i] - edge.x;
+        const double fromY = m_points.y[i] - edge.y;
+        if (edge.inverse > 0.0 && share > edge.least && share < edge.most) {
+            byX[i] = edge.normalX;
+            byY[i] = edge.normalY;
+            at.residuals[i] = byX[i] * fromX + byY[i] * fromY;
+        } else {
+            const double awayX = fromX - share * edge.alongX;
+            const double awayY = fromY - share * edge.alongY;
+            const double distance = std::sqrt(awayX * awayX + awayY * awayY);
+            const double side = edge.alongX * fromY - edge.alongY * fromX < 0.0 ? -1.0 : 1.0;
+            const double scale = distance > 0.0 ? side / distance : 0.0;
+            byX[i] = scale * awayX;
+            byY[i] = scale * awayY;
+            at.residuals[i] = side * distance;
+        }
     }
+    if (at.parameters.cwiseAbs().maxCoeff() > m_farthest)
+        std::ranges::fill(at.residuals, m_farthest);
+}
+
+void PolylineModel::equations(const At& at, const double* weights, const double* pulls,
+                              StepEquations& equations) const {
+    const std::size_t filled = m_points.filled();
+    const double* nearest = at.derivatives.data();
+    const double* shares = nearest + filled;
+    const double* byX = shares + filled;
+    const double* byY = byX + filled;
+    const auto vertices = static_cast<std::size_t>(at.parameters.size()) / 2;
+    // Sums of each edge: the squares and products by its start, by its start and end, by its end; then the
+    // pulls.
+    std::array<std::array<double, 13>, kMostParameters / 2> sums{};
+    for (std::size_t i = 0; i < m_points.count; ++i) {
+        auto& edge = sums[static_cast<std::size_t>(nearest[i])];
+        const double atEnd = shares[i];
+        const double atStart = 1.0 - atEnd;
+        const double xx = weights[i] * byX[i] * byX[i];
+        const double xy = weights[i] * byX[i] * byY[i];
+        const double yy = weights[i] * byY[i] * byY[i];
+        const double first = atStart * atStart;
+        const double mixed = atStart * atEnd;
+        const double last = atEnd * atEnd;
+        edge[0] += first * xx;
+        edge[1] += first * xy;
+        edge[2] += first * yy;
+        edge[3] += mixed * xx;
+        edge[4] += mixed * xy;
+        edge[5] += mixed * yy;
+        edge[6] += last * xx;
+        edge[7] += last * xy;
+        edge[8] += last * yy;
+        const double pullX = pulls[i] * byX[i];
+        const double pullY = pulls[i] * byY[i];
+        edge[9] -= atStart * pullX;
+        edge[10] -= atStart * pullY;
+        edge[11] -= atEnd * pullX;
+        edge[12] -= atEnd * pullY;
+    }
+    equations.count = static_cast<int>(2 * vertices);
+    for (int column = 0; column < equations.count; ++column) {
+        const int own = column - column % 2;
+        const bool closing = m_closed && own + 2 == equations.count;
+        const int first = closing ? 0 : std::max(0, own - 2);
+        equations.first[static_cast<std::size_t>(column)] = first;
+        for (int row = first; row <= column; ++row)
+            equations.at(row, column) = 0.0;
+        equations.gradient[static_cast<std::size_t>(column)] = 0.0;
+    }
+    const std::size_t count = m_closed ? vertices : vertices - 1;
+    for (std::size_t e = 0; e < count; ++e) {
+        const auto& edge = sums[e];
+        const auto start = static_cast<int>(2 * e);
+        const int end = e + 1 < vertices ? start + 2 : 0;
+        equations.at(start, start) += edge[0];
+        equations.at(start, start + 1) += edge[1];
+        equations.at(start + 1, start + 1) += edge[2];
+        equations.at(end, end) += edge[6];
+        equations.at(end, end + 1) += edge[7];
+        equations.at(end + 1, end + 1) += edge[8];
+        const int before = std::min(start, end);
+        const int after = std::max(start, end);
+        equations.at(before, after) += edge[3];
+        equations.at(before + 1, after) += edge[4];
+        equations.at(before, after + 1) += edge[4];
+        equations.at(before + 1, after + 1) += edge[5];
+        equations.gradient[static_cast<std::size_t>(start)] += edge[9];
+        equations.gradient[static_cast<std::size_t>(start) + 1] += edge[10];
+        equations.gradient[static_cast<std::size_t>(end)] += edge[11];
+        equations.gradient[static_cast<std::size_t>(end) + 1] += edge[12];
+    }
+}
+
+Eigen::MatrixXd PolylineModel::jacobian(const At& at) const {
+    const std::size_t filled = m_points.filled();
+    const Eigen::Index parameters = at.parameters.size();
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(m_points.count), parameters);
+    for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+        const double* numbers = at.derivatives.data() + i;
+        const auto start = 2 * static_cast<Eigen::Index>(numbers[0]);
+        const Eigen::Index end = (start + 2) % parameters;
+        const double share = numbers[filled];
+        const double byX = numbers[2 * filled];
+        const double byY = numbers[3 * filled];
+        jacobian(i, start) = -(1.0 - share) * byX;
+        jacobian(i, start + 1) = -(1.0 - share) * byY;
+        jacobian(i, end) = -share * byX;
+        jacobian(i, end + 1) = -share * byY;
+    }
+    return jacobian;
+}
+
+RobustFit PolylineModel::fitAt(const Eigen::VectorXd& vertices) const {
+    At at;
+    at.parameters = vertices;
+    evaluate(at);
+    return {vertices,
+            Eigen::Map<const Eigen::VectorXd>(at.residuals.data(), static_cast<Eigen::Index>(m_points.count)),
+            jacobian(at)};
 }
 
 std::vector<double> placesOnPolyline(std::span<const Point> points, const Eigen::VectorXd& vertices,
                                      bool closed) {
-    std::vector<double> places;
-    places.reserve(points.size());
-    const Edges edges(vertices, closed);
-    for (const Point& p : points) {
-        const Nearest n = edges.nearest(p);
-        places.push_back(static_cast<double>(n.edge) + n.share);
-    }
+    const PointColumns columns(points);
+    std::vector<double> places(columns.filled());
+    std::vector<double> shares(columns.filled());
+    findNearest(columns, Edges(numbersOf(vertices), closed).all(), places.data(), shares.data());
+    places.resize(points.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] += shares[i];
     return places;
 }
 
@@ -158,7 +291,11 @@ EdgeRuns::EdgeRuns(std::span<const Point> points, bool closed, std::size_t maxim
         terms << p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
         m_sums[i + 1] = m_sums[i] + terms;
     }
-    m_division = divide(0);
+    m_costs.assign(m_count * (m_count + 1), 0.0);
+    for (std::size_t begin = 0; begin < m_count; ++begin)
+        for (std::size_t run = kPointsOfRun; run <= (closed ? m_count : m_count - begin); ++run)
+            m_costs[begin * (m_count + 1) + run] = cost(begin, begin + run);
+    m_division = divide(0, m_maximumEdges);
 }
 
 double EdgeRuns::cost(std::size_t begin, std::size_t end) const {
@@ -188,24 +325,30 @@ EdgeRuns::Line EdgeRuns::line(std::size_t begin, std::size_t end) const {
     return {middle, {std::cos(angle), std::sin(angle)}};
 }
 
-EdgeRuns::Division EdgeRuns::divide(std::size_t first) const {
-    const std::size_t columns = m_count + 1;
+EdgeRuns::Division EdgeRuns::divide(std::size_t first, std::size_t edges) const {
     Division division;
-    division.cost.assign((m_maximumEdges + 1) * columns, std::numeric_limits<double>::infinity());
-    division.previous.assign(division.cost.size(), 0);
+    division.width = edges + 1 + kLanes; // several numbers of runs at once may reach beyond the last
+    division.cost.assign((m_count + 1) * division.width, std::numeric_limits<double>::infinity());
+    division.previous.assign(division.cost.size(), 0.0);
     division.cost[0] = 0.0;
-    for (std::size_t end = kPointsOfRun; end <= m_count; ++end)
-        for (std::size_t begin = 0; begin + kPointsOfRun <= end; ++begin) {
-            const double run = cost(first + begin, first + end);
-            for (std::size_t runs = 1; runs <= m_maximumEdges; ++runs) {
-                const double total = division.cost[(runs - 1) * columns + begin] + run;
-                double& least = division.cost[runs * columns + end];
-                if (total < least) {
-                    least = total;
-                    division.previous[runs * columns + end] = begin;
+    doInLanes([&]() __attribute__((always_inline)) {
+        for (std::size_t end = kPointsOfRun; end <= m_count; ++end)
+            for (std::size_t begin = 0; begin + kPointsOfRun <= end; ++begin) {
+                const double run = m_costs[(first + begin) % m_count * (m_count + 1) + end - begin];
+                for (std::size_t runs = 1; runs <= edges; runs += kLanes) {
+                    double* cost = division.cost.data() + end * division.width + runs;
+                    double* previous = division.previous.data() + end * division.width + runs;
+                    Lanes total, least, from;
+                    load(total, division.cost.data() + begin * division.width + runs - 1);
+                    load(least, cost);
+                    load(from, previous);
+                    total += run;
+                    const auto less = total < least;
+                    store(cost, less ? total : least);
+                    store(previous, less ? static_cast<double>(begin) - Lanes{} : from);
                 }
             }
-        }
+    });
     return division;
 }
 
@@ -213,7 +356,7 @@ std::vector<std::size_t> EdgeRuns::starts(const Division& division, std::size_t 
     std::vector<std::size_t> result(edges);
     std::size_t end = m_count;
     for (std::size_t run = edges; run > 0; --run) {
-        end = division.previous[run * (m_count + 1) + end];
+        end = static_cast<std::size_t>(division.previous[end * division.width + run]);
         result[run - 1] = end;
     }
     return result;
@@ -226,7 +369,7 @@ Eigen::VectorXd EdgeRuns::vertices(std::size_t edges) const {
         // The first division has a vertex at the arbitrary first point; a second one that starts at another
         // vertex removes it.
         first = begins[edges / 2];
-        begins = starts(divide(first), edges);
+        begins = starts(divide(first, edges), edges);
     }
     std::vector<Line> lines;
     for (std::size_t run = 0; run < edges; ++run)

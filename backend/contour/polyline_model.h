@@ -4,15 +4,35 @@
 #include "backend/contour/point.h"
 #include "backend/contour/robust_fit.h"
 
+#include <limits>
 #include <vector>
 
 namespace teleta::contour {
 
-/// Distances of points from a chain of edges, and their Jacobian in the coordinates (x0, y0, x1, y1, ...) of
-/// its vertices; positive to the left of the chain. The first and last edge of an open chain extend beyond
-/// its ends.
-void polylineResiduals(std::span<const Point> points, const Eigen::VectorXd& vertices, bool closed,
-                       Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian);
+/// A chain of edges; parameters: the coordinates (x0, y0, x1, y1, ...) of its vertices. Distances are
+/// positive to the left of the chain. The first and last edge of an open chain extend beyond its ends.
+class PolylineModel : public RobustModel {
+public:
+    /// farthest: a vertex further from the origin on either axis makes every distance this.
+    PolylineModel(const PointColumns& points, bool closed,
+                  double farthest = std::numeric_limits<double>::infinity())
+        : m_points(points)
+        , m_closed(closed)
+        , m_farthest(farthest) {}
+
+    [[nodiscard]] const PointColumns& points() const override { return m_points; }
+    void evaluate(At& at) const override;
+    void equations(const At& at, const double* weights, const double* pulls,
+                   StepEquations& equations) const override;
+    [[nodiscard]] Eigen::MatrixXd jacobian(const At& at) const override;
+    /// With these vertices, without a search.
+    [[nodiscard]] RobustFit fitAt(const Eigen::VectorXd& vertices) const;
+
+private:
+    const PointColumns& m_points;
+    bool m_closed;
+    double m_farthest;
+};
 
 /// For each point the nearest edge and the place on it: index of the edge plus the share of its length.
 /// Beyond the ends of an open chain the share is below 0 or above 1.
@@ -46,12 +66,13 @@ private:
         Point direction;
     };
     struct Division {
-        std::vector<double> cost; ///< (runs, end): least cost of the first `end` points in `runs` runs
-        std::vector<std::size_t> previous; ///< where the last of these runs begins
+        std::size_t width = 0;        ///< of a row
+        std::vector<double> cost;     ///< (end, runs): least cost of the first `end` points in `runs` runs
+        std::vector<double> previous; ///< where the last of these runs begins
     };
     [[nodiscard]] Line line(std::size_t begin, std::size_t end) const;
     [[nodiscard]] double cost(std::size_t begin, std::size_t end) const;
-    [[nodiscard]] Division divide(std::size_t first) const;
+    [[nodiscard]] Division divide(std::size_t first, std::size_t edges) const;
     [[nodiscard]] std::vector<std::size_t> starts(const Division& division, std::size_t edges) const;
 
     std::size_t m_count;
@@ -59,6 +80,7 @@ private:
     std::size_t m_maximumEdges;
     std::vector<Point> m_points;                     ///< twice around when closed
     std::vector<Eigen::Matrix<double, 5, 1>> m_sums; ///< of x, y, x^2, xy, y^2 of the points before
+    std::vector<double> m_costs;                     ///< (begin, points) of runs
     Division m_division;
 };
 

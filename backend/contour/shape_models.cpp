@@ -63,7 +63,7 @@ private:
 
     void addLine() {
         CurvedLineFit line = fitLine(m_points);
-        const Evidence judged = evidence(line.fit, 1.0);
+        const Evidence judged = judge(line.fit.residuals, 1.0);
         const Point along(-std::sin(line.curve.theta_rad), std::cos(line.curve.theta_rad));
         Explored way;
         double low = std::numeric_limits<double>::infinity();
@@ -88,7 +88,7 @@ private:
         const CurvedLine& circle = curved.curve;
         if (circle.straight())
             return;
-        const Evidence judged = evidence(curved.fit, 1.0);
+        const Evidence judged = judge(curved.fit.residuals, 1.0);
         std::vector<double> touched;
         Explored way;
         way.period = kTurn_rad * circle.radius();
@@ -123,6 +123,8 @@ private:
     }
 
     void addPolygons() {
+        // Of several fits of a triangle, and of a quadrilateral that is only a start, roughly is enough.
+        constexpr std::size_t kTriangle = 3;
         // Triangles and rectangles are convex, so the angle gives their order however they were explored.
         std::vector<ChainFit> triangles;
         std::vector<Eigen::VectorXd> quadrilaterals;
@@ -146,23 +148,23 @@ private:
                 other.vertices = toVertices(other.fit.parameters);
             }
         };
-        sort(fitChains(orderedByAngle(m_points), true, 4), !m_result.closed);
-        sort(fitChains(m_ordered, m_result.closed, kEdgesTried), true);
+        sort(fitChains(m_points, orderedByAngle(m_points), true, 4, m_result.closed ? 4 : kTriangle),
+             !m_result.closed);
+        sort(fitChains(m_points, m_ordered, m_result.closed, kEdgesTried, m_result.closed ? kTriangle : 0),
+             true);
         triangles.push_back(fitClosedChain(m_points, largeTriangle(m_points)));
 
         const auto best = std::ranges::max_element(
             triangles, {}, [](const ChainFit& chain) { return chain.evidence.logEvidence; });
-        RobustFit fit;
-        fit.parameters = best->fit.parameters;
-        polylineResiduals(m_points, fit.parameters, true, fit.residuals, fit.jacobian);
-        const Eigen::VectorXd vertices = fit.parameters;
-        addClosed(Model::triangle, std::move(fit), vertices);
+        RobustFit triangle = refinedClosedChain(m_points, *best);
+        const Eigen::VectorXd vertices = triangle.parameters;
+        addClosed(Model::triangle, std::move(triangle), vertices);
         PolygonFit rectangle = fitRectangle(m_points, quadrilaterals);
         addClosed(Model::rectangle, std::move(rectangle.fit), rectangle.vertices);
     }
 
     void addClosed(Model model, RobustFit fit, const Eigen::VectorXd& vertices) {
-        Explored way = explored(m_points, evidence(fit, polylineLength(vertices, true)), vertices);
+        Explored way = explored(m_points, judge(fit.residuals, polylineLength(vertices, true)), vertices);
         std::vector<Point> corners = toVertices(vertices);
         const Point a = corners[1] - corners[0];
         const Point b = corners[2] - corners[1];

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The control cycle of the servo scenes at 1 kHz compared with real time, and the shares of its parts:
 // contact, kinematics and inertia, features, control. With --sliding: a table of the highest sliding speeds
-// along the bent bar without loss of contact, for each rate of the servo and each effect.
+// along the bent bar without loss of contact, for each rate of the servo and each effect. Where MuJoCo is
+// installed: its step of 1 ms of the same arm, held by the same spring in space, with the same pad of taxels
+// on the same bar.
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/scene_run/servo/servo_measures.h"
 #include "backend/simulation/servo/servo_loop.h"
+#ifdef TELETA_MUJOCO
+#include "tests/benchmarks/servo_in_mujoco.h"
+#endif
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
@@ -90,6 +95,50 @@ void controlPart(benchmark::State& state, const std::string& name) {
     for (auto _ : state)
         benchmark::DoNotOptimize(controller->step(input));
 }
+
+/// The world alone: arm, contact and array, without features and control.
+void worldPart(benchmark::State& state, const std::string& name) {
+    const auto loop = runningLoop(name);
+    auto world = simulation::SimulatedServoWorld::make(shippedScene(name), 1);
+    (*world)->setReference(loop->world().arm().X_Base_Reference());
+    for (int i = 0; i < 2000; ++i)
+        (*world)->next();
+    std::int64_t cycles = 0;
+    for (auto _ : state) {
+        (*world)->next();
+        ++cycles;
+    }
+    state.counters["force_N"] = (*world)->truth().force_N;
+    state.counters["x_real_time"] =
+        benchmark::Counter(static_cast<double>(cycles) / (*world)->rate_Hz(), benchmark::Counter::kIsRate);
+}
+
+#ifdef TELETA_MUJOCO
+/// MuJoCo held to the reference that our arm has, after a second in which its own contact settles.
+void mujoco(benchmark::State& state, const std::string& name) {
+    const auto loop = runningLoop(name);
+    const scene::Scene scene = shippedScene(name);
+    const auto& robot = scene.servo().arm;
+    simulation::Impedance impedance;
+    impedance.stiffness_NPerM = robot.stiffness_NPerM;
+    impedance.rotationalStiffness_NmPerRad = robot.rotationalStiffness_NmPerRad;
+    impedance.dampingRatio = robot.dampingRatio;
+    benchmarks::ServoInMujoco other(loop->world().arm(),
+                                    std::get<scene::BarShape>(scene.servo().object.shape), impedance);
+    for (int i = 0; i < 1000; ++i)
+        other.step();
+    std::int64_t cycles = 0;
+    for (auto _ : state) {
+        other.step();
+        ++cycles;
+    }
+    state.counters["force_N"] = other.force_N();
+    state.counters["taxels"] = other.pressedTaxels();
+    state.counters["mass_difference_kgm2"] = other.massDifference_kgm2();
+    state.counters["x_real_time"] =
+        benchmark::Counter(1e-3 * static_cast<double>(cycles), benchmark::Counter::kIsRate);
+}
+#endif
 
 constexpr double kWay_m = 0.1; ///< most of the bend of 0.12 m
 constexpr double kLongest_s = 60.0;
@@ -227,6 +276,11 @@ int main(int argc, char** argv) {
             });
         };
         add("/cycle", cycle);
+        add("/world", worldPart);
+#ifdef TELETA_MUJOCO
+        if (scene == "servo-straight-bar")
+            add("/mujoco", mujoco);
+#endif
         add("/contact", contactPart);
         add("/kinematics", kinematicsPart);
         add("/features", featuresPart);
