@@ -9641,8 +9641,8 @@ Run %2 --help for more.
         <translation>les horodatages de %1 ont %2&#xa0;s de retard sur cet ordinateur, MoveIt Servo admet de %3 à %4</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
-        <translation>%1 donne une force dans le repère %2, que ni la description ni /tf_static ne connaissent</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
+        <translation>%1 indique une force dans le repère %2, que ni la description ni /tf ne connaissent</translation>
     </message>
 </context>
 <context>
@@ -9752,8 +9752,32 @@ Run %2 --help for more.
         <translation>SANS GARDE&#xa0;: %1 garde son dernier ordre quand ce programme s’arrête ou que le réseau est en panne</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
-        <translation>%1 donne une force dans le repère %2, que ni la description ni /tf_static ne connaissent</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
+        <translation>%1 indique une force dans le repère %2, que ni la description ni /tf ne connaissent</translation>
+    </message>
+    <message>
+        <source>/tf does not lead from %1 to %2</source>
+        <translation>/tf ne mène pas de %1 à %2</translation>
+    </message>
+    <message>
+        <source>/tf has no pose of the time of a joint sample</source>
+        <translation>/tf n’a aucune pose de l’instant d’un relevé des articulations</translation>
+    </message>
+    <message>
+        <source>%1 mm and %2° off at most</source>
+        <translation>écart de %1 mm et de %2° au plus</translation>
+    </message>
+    <message>
+        <source>the tip is where /tf has it: %1</source>
+        <translation>l’extrémité est là où /tf la situe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the tip is not where /tf has it: %1</source>
+        <translation>l’extrémité n’est pas là où /tf la situe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>; the description is another robot&apos;s, or a joint has another zero</source>
+        <translation>&#xa0;; la description est celle d’un autre robot, ou une articulation a un autre zéro</translation>
     </message>
 </context>
 <context>
@@ -9768,6 +9792,10 @@ Run %2 --help for more.
     <message>
         <source>on %1, pressed by %2</source>
         <translation>sur %1, appuyée par %2</translation>
+    </message>
+    <message>
+        <source>on %1; touches have a place, but no force and no stiffness, since the arm&apos;s efforts are not in Nm</source>
+        <translation>sur %1&#xa0;; les contacts ont une position, mais ni force ni raideur, car les efforts du bras ne sont pas en Nm</translation>
     </message>
 </context>
 <context>
@@ -15876,6 +15904,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The joint that presses felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
         <translation>L’articulation qui appuie a trop peu senti&#xa0;: son couple n’a pas atteint la fenêtre de couple. Appuyez plus fort, ou d’un autre côté.</translation>
+    </message>
+    <message>
+        <source>The arm measures no joint torques, so the touch has a place but no stiffness.</source>
+        <translation>Le bras ne mesure pas les couples de ses articulations&#xa0;: le contact a une position, mais pas de raideur.</translation>
     </message>
 </context>
 <context>

@@ -9616,8 +9616,8 @@ Run %2 --help for more.
         <translation>%1のスタンプはこのコンピューターより%2 s遅れています。MoveIt Servoが受け付けるのは%3から%4です</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
-        <translation>%1は座標系%2での力を伝えていますが、この座標系は記述にも/tf_staticにもありません</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
+        <translation>%1は座標系%2で力を報告していますが、記述にも/tfにもありません</translation>
     </message>
 </context>
 <context>
@@ -9727,8 +9727,32 @@ Run %2 --help for more.
         <translation>保護なし: このプログラムが終了するかネットワークが故障しても、%1は最後の指令を保ちます</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
-        <translation>%1は座標系%2での力を伝えていますが、この座標系は記述にも/tf_staticにもありません</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
+        <translation>%1は座標系%2で力を報告していますが、記述にも/tfにもありません</translation>
+    </message>
+    <message>
+        <source>/tf does not lead from %1 to %2</source>
+        <translation>/tfでは%1から%2までつながりません</translation>
+    </message>
+    <message>
+        <source>/tf has no pose of the time of a joint sample</source>
+        <translation>/tfには関節のサンプルと同じ時刻の姿勢がありません</translation>
+    </message>
+    <message>
+        <source>%1 mm and %2° off at most</source>
+        <translation>ずれは最大%1 mm、%2°</translation>
+    </message>
+    <message>
+        <source>the tip is where /tf has it: %1</source>
+        <translation>先端は/tfが示す位置にあります：%1</translation>
+    </message>
+    <message>
+        <source>the tip is not where /tf has it: %1</source>
+        <translation>先端は/tfが示す位置にありません：%1</translation>
+    </message>
+    <message>
+        <source>; the description is another robot&apos;s, or a joint has another zero</source>
+        <translation>。別のロボットの記述であるか、関節の零点が違います</translation>
     </message>
 </context>
 <context>
@@ -9742,6 +9766,10 @@ Run %2 --help for more.
     <message>
         <source>on %1, pressed by %2</source>
         <translation>%1上、%2が押します</translation>
+    </message>
+    <message>
+        <source>on %1; touches have a place, but no force and no stiffness, since the arm&apos;s efforts are not in Nm</source>
+        <translation>%1上。アームのエフォートがNmでないため、接触の位置は分かりますが、力と剛性は求められません</translation>
     </message>
 </context>
 <context>
@@ -15838,6 +15866,10 @@ Run teleta-site --help for more.
     <message>
         <source>The joint that presses felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
         <translation>押す関節が感じたトルクが小さすぎ、トルクの範囲に達しませんでした。もっと強く、または別の側から押してください。</translation>
+    </message>
+    <message>
+        <source>The arm measures no joint torques, so the touch has a place but no stiffness.</source>
+        <translation>アームは関節トルクを測定しないため、接触の位置は分かりますが、剛性は求められません。</translation>
     </message>
 </context>
 <context>

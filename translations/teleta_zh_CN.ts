@@ -9616,8 +9616,8 @@ Run %2 --help for more.
         <translation>%1 的时间戳比本计算机晚 %2 s，MoveIt Servo 接受 %3 到 %4</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
-        <translation>%1 在坐标系 %2 中报告力，但描述和 /tf_static 都没有该坐标系</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
+        <translation>%1 报告的力属于坐标系 %2，描述和 /tf 中都没有它</translation>
     </message>
 </context>
 <context>
@@ -9727,8 +9727,32 @@ Run %2 --help for more.
         <translation>无保护：本程序结束或网络出故障时，%1 保持其最后的指令</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static has</source>
-        <translation>%1 在坐标系 %2 中报告力，但描述和 /tf_static 都没有该坐标系</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
+        <translation>%1 报告的力属于坐标系 %2，描述和 /tf 中都没有它</translation>
+    </message>
+    <message>
+        <source>/tf does not lead from %1 to %2</source>
+        <translation>/tf 没有从 %1 到 %2 的路径</translation>
+    </message>
+    <message>
+        <source>/tf has no pose of the time of a joint sample</source>
+        <translation>/tf 中没有与关节采样同一时刻的位姿</translation>
+    </message>
+    <message>
+        <source>%1 mm and %2° off at most</source>
+        <translation>最多相差 %1 mm 和 %2°</translation>
+    </message>
+    <message>
+        <source>the tip is where /tf has it: %1</source>
+        <translation>末端就在 /tf 给出的位置：%1</translation>
+    </message>
+    <message>
+        <source>the tip is not where /tf has it: %1</source>
+        <translation>末端不在 /tf 给出的位置：%1</translation>
+    </message>
+    <message>
+        <source>; the description is another robot&apos;s, or a joint has another zero</source>
+        <translation>；描述属于另一台机器人，或者某个关节的零位不同</translation>
     </message>
 </context>
 <context>
@@ -9742,6 +9766,10 @@ Run %2 --help for more.
     <message>
         <source>on %1, pressed by %2</source>
         <translation>位于 %1，由 %2 按压</translation>
+    </message>
+    <message>
+        <source>on %1; touches have a place, but no force and no stiffness, since the arm&apos;s efforts are not in Nm</source>
+        <translation>在 %1 上；由于机械臂的力矩不以 Nm 为单位，接触有位置，但没有力和刚度</translation>
     </message>
 </context>
 <context>
@@ -15838,6 +15866,10 @@ Run teleta-site --help for more.
     <message>
         <source>The joint that presses felt too little: its torque did not reach the torque window. Press harder, or from another side.</source>
         <translation>按压的关节感觉到的太少：其力矩未达到力矩窗口。请用力按压，或从另一侧按压。</translation>
+    </message>
+    <message>
+        <source>The arm measures no joint torques, so the touch has a place but no stiffness.</source>
+        <translation>机械臂不测量关节力矩，因此接触有位置，但没有刚度。</translation>
     </message>
 </context>
 <context>

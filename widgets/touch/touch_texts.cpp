@@ -92,7 +92,7 @@ QString TouchTexts::refusal(Refusal refusal) {
     case Refusal::tooQuick:
         return tr("The touch was too quick: the arm's own inertia was felt with the object. Press slower.");
     case Refusal::noTorques:
-        return tr("This arm measures no joint torques: its skin tells the place, and nothing the stiffness.");
+        return tr("The arm measures no joint torques, so the touch has a place but no stiffness.");
     }
     return {};
 }
