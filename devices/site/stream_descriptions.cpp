@@ -4,8 +4,6 @@
 #include "backend/core/data/json_document.h"
 #include "backend/core/data/taxel_places.h"
 
-#include <QCoreApplication>
-
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -15,10 +13,6 @@ namespace teleta::site_link {
 namespace {
 
 using nlohmann::ordered_json;
-
-struct SiteStreamText {
-    Q_DECLARE_TR_FUNCTIONS(SiteStreamText)
-};
 
 constexpr double kFastest_Hz = 1e6;
 constexpr double kLargestSide = 1e5;
@@ -55,13 +49,12 @@ core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string
     for (const ordered_json& one : reader.array(reader.member(reader.root(), "streams"), 0, kMostStreams)) {
         recording::StreamInfo stream;
         stream.name = reader.text(one, "name", {});
-        const ordered_json& kindMember = reader.member(one, "kind");
         const auto kind = recording::streamKindOf(reader.text(one, "kind", {}));
         const auto type = recording::valueTypeOf(reader.text(one, "type", {}));
         if (!kind || !type)
-            reader.fail(kindMember, SiteStreamText::tr("this kind of stream is not known"), {});
-        stream.kind = kind.value_or(stream.kind);
-        stream.type = type.value_or(stream.type);
+            continue; // of a newer site
+        stream.kind = *kind;
+        stream.type = *type;
         stream.source = reader.text(one, "source", {});
         for (const ordered_json& side : reader.array(reader.member(one, "shape"), 0, 3))
             stream.shape.push_back(static_cast<std::size_t>(reader.number(side, 0.0, kLargestSide)));

@@ -15,7 +15,8 @@ namespace teleta::site_link {
 /// Thread: any (pure).
 [[nodiscard]] std::string describeStreams(const std::vector<recording::StreamInfo>& streams);
 
-/// The inverse. from: names the site in errors. Error: badInput.
+/// The inverse. A stream of a kind or type that is not known here, of a newer site, is left out. from: names
+/// the site in errors. Error: badInput.
 [[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string& text,
                                                                              const std::string& from);
 

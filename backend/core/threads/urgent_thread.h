@@ -17,7 +17,7 @@ enum class ThreadUrgency {
 /// starts do not inherit this. Returns what was reached.
 [[nodiscard]] ThreadUrgency makeThreadUrgent();
 
-/// The real-time priority (round robin) for threads that libraries start for this program, just below that of
+/// The real-time priority for threads that libraries start for this program, just below that of
 /// makeThreadUrgent(); empty: the user is not allowed any. Tried once, on a thread of its own. Thread: any.
 [[nodiscard]] std::optional<int> libraryThreadPriority();
 

@@ -83,11 +83,22 @@ TEST(StreamDescriptions, tellTheFrameOfTheValues) {
     EXPECT_EQ(frameOf(all[1], all), "");
 }
 
+TEST(StreamDescriptions, streamsOfANewerSiteAreLeftOut) {
+    const auto read = readStreams(
+        R"({"streams": [
+            {"name": "a", "kind": "smell", "type": "float32", "shape": [1], "columns": [], "rate_hz": 1},
+            {"name": "b", "kind": "array", "type": "float128", "shape": [1], "columns": [], "rate_hz": 1},
+            {"name": "c", "kind": "array", "type": "float32", "shape": [1], "columns": [], "rate_hz": 1}]})",
+        "lab");
+    ASSERT_TRUE(read) << core::describe(read.error());
+    ASSERT_EQ(read->size(), 1U);
+    EXPECT_EQ(read->front().name, "c");
+}
+
 TEST(StreamDescriptions, whatIsNoDescriptionIsRefused) {
     for (
         const char* text :
         {"", "[]", "{}", R"({"streams": 1})", R"({"streams": [1]})",
-         R"({"streams": [{"name": "a", "kind": "smell", "type": "float32", "shape": [], "columns": [], "rate_hz": 1}]})",
          R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [-1], "columns": [], "rate_hz": 1}]})",
          R"({"streams": [{"name": "a", "kind": "array", "type": "float32", "shape": [1], "columns": [], "rate_hz": -1}]})"}) {
         const auto read = readStreams(text, "lab");
