@@ -100,7 +100,10 @@ std::size_t ArmChannel::process() {
     };
     for (const core::JointSample& next : joints) {
         feedContactsUntil(next.time_ns - 1);
-        m_tellsTorques = m_tellsTorques || tellsTorques(next);
+        if (!m_tellsTorques && tellsTorques(next)) {
+            m_tellsTorques = true;
+            m_estimator.countFrom(m_skinTouches.touches());
+        }
         if (auto touch = m_tellsTorques ? m_estimator.update(next)
                                         : m_skinTouches.update(next, m_estimator.settings()))
             take(std::move(*touch));

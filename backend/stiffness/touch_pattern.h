@@ -25,7 +25,8 @@ struct TouchPattern {
 ///                     decays while the joint stands still; or unloading has another slope than loading
 ///   stick-slip        the torque jumps twice or more; or falls back by a quarter of the window in the rise;
 ///                     or differs between forward and backward motion
-/// Each only where it is over 3.5 to 4 standard errors of the noise. touch: with a rise of 20 samples or
+/// Each only where it is over 3.5 to 4 standard errors of the noise; jumps and falls over 7 and 8 standard
+/// deviations. touch: with a rise of 20 samples or
 /// more, else nothing is seen; contact: index of the first sample of the contact, at most touch.first;
 /// noise_Nm: standard deviation of the torque about a line, inflation: varianceInflation() of it;
 /// stiffness_NmPerRad: slope of torque over angle in the window, > 0. Thread: any (pure).

@@ -15,6 +15,8 @@
 #include <dds/dds.h>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -38,13 +40,21 @@ core::Expected<void> openDomain(const DomainConfig& config) {
                                  .arg(config.domain));
     }
     limitLog();
-    const CollectedLog log;
-    const dds_entity_t domain =
-        dds_create_domain(static_cast<dds_domainid_t>(config.domain),
-                          configurationOf(config, core::libraryThreadPriority()).c_str());
+    std::string told;
+    const auto create = [&](std::optional<int> priority) {
+        const CollectedLog log;
+        const dds_entity_t domain = dds_create_domain(static_cast<dds_domainid_t>(config.domain),
+                                                      configurationOf(config, priority).c_str());
+        told = log.text();
+        return domain;
+    };
+    const std::optional<int> priority = core::libraryThreadPriority();
+    dds_entity_t domain = create(priority);
+    if (domain < 0 && priority)
+        domain = create(std::nullopt);
     if (domain < 0) {
-        const QString reason = log.text().empty() ? QString::fromLatin1(dds_strretcode(domain))
-                                                  : QString::fromStdString(log.text());
+        const QString reason =
+            told.empty() ? QString::fromLatin1(dds_strretcode(domain)) : QString::fromStdString(told);
         return core::failed(
             core::ErrorKind::unavailable,
             ParticipantText::tr("domain %1 of DDS cannot be opened: %2").arg(config.domain).arg(reason),

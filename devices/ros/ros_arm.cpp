@@ -73,7 +73,8 @@ core::Expected<std::unique_ptr<RosArm>> RosArm::open(const RosArmFile& file, con
     std::optional<WrenchReaders> wrench;
     if (file.wrench) {
         TELETA_TRY(auto opened, WrenchReaders::open(participant, *file.wrench, kReaderDepth));
-        readers.insert(readers.end(), {opened.wrench.guid(), opened.frames.guid(), opened.moving.guid()});
+        readers.insert(readers.end(),
+                       {opened.wrench.guid(), opened.frames.fixed.guid(), opened.frames.moving.guid()});
         wrench.emplace(std::move(opened));
     }
     std::optional<NodeAnnouncement> announcement;
@@ -108,7 +109,7 @@ RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> ch
     if (m_file.wrench) {
         m_wrench.emplace(*m_file.wrench, m_chain);
         m_waitSet.attach(m_ends.wrench->wrench);
-        m_waitSet.attach(m_ends.wrench->frames);
+        m_waitSet.attach(m_ends.wrench->frames.fixed);
     }
 }
 
@@ -295,7 +296,7 @@ QString RosArm::problemOf(const RosArmState& state) const {
                    ? RosArmText::tr("%1 reports no force, so force_stop_N cannot work")
                          .arg(QString::fromStdString(m_file.wrench->topic))
                    : RosArmText::tr("%1 reports a force in the frame %2, which neither the description nor "
-                                    "/tf has")
+                                    "/tf_static nor /tf (within the last second) has")
                          .arg(QString::fromStdString(m_file.wrench->topic),
                               QString::fromStdString(m_wrench->unknownFrame()));
     if (!state.lacking.empty())

@@ -6,6 +6,7 @@
 #include "backend/ros/topic_names.h"
 #include "devices/dds/endpoint.h"
 #include "devices/dds/participant.h"
+#include "devices/ros/frame_readers.h"
 #include "devices/ros/wrench_watch.h"
 
 #include <cstdint>
@@ -17,31 +18,20 @@ namespace teleta::ros_arm {
 /// What a WrenchWatch is told: the messages of a sensor of force and torque, and the frames that hang on the
 /// robot, still or moving. Thread: one.
 struct WrenchReaders {
-    static constexpr int kMostFramesAtOnce = 100; ///< as ROS keeps of /tf_static
-
     /// depth: messages that wait. Error: unavailable, a topic cannot be opened.
     [[nodiscard]] static core::Expected<WrenchReaders>
     open(const std::shared_ptr<const dds::Participant>& participant, const RosWrenchFile& file, int depth) {
         TELETA_TRY(auto forces,
                    dds::Reader<ros::WrenchStamped>::open(participant, ros::ddsTopicOf(file.topic),
                                                          ros::kSensorReader.withDepth(depth)));
-        TELETA_TRY(auto hung,
-                   dds::Reader<ros::TFMessage>::open(participant, ros::ddsTopicOf("/tf_static"),
-                                                     ros::kLatchedReader.withDepth(kMostFramesAtOnce)));
-        TELETA_TRY(auto moving,
-                   dds::Reader<ros::TFMessage>::open(participant, ros::ddsTopicOf("/tf"),
-                                                     ros::kSensorReader.withDepth(kMostFramesAtOnce)));
-        return WrenchReaders{std::move(forces), std::move(hung), std::move(moving)};
+        TELETA_TRY(auto frames, FrameReaders::open(participant));
+        return WrenchReaders{std::move(forces), std::move(frames)};
     }
 
     /// Gives frames to the watch, then each message; taken() is called after each of them.
     template <typename Taken>
     void take(WrenchWatch& watch, const Taken& taken) {
-        (void)frames.take(
-            [&watch](const ros::TFMessage& message, const dds::SampleInfo&) { watch.takeFixed(message); });
-        (void)moving.take([&watch](const ros::TFMessage& message, const dds::SampleInfo&) {
-            watch.takeMoving(message, core::steadyNow_ns());
-        });
+        frames.take(watch);
         (void)wrench.take([&](const ros::WrenchStamped& message, const dds::SampleInfo&) {
             const std::int64_t read_ns = core::steadyNow_ns();
             watch.take(message, read_ns);
@@ -50,8 +40,7 @@ struct WrenchReaders {
     }
 
     dds::Reader<ros::WrenchStamped> wrench;
-    dds::Reader<ros::TFMessage> frames; ///< of /tf_static
-    dds::Reader<ros::TFMessage> moving; ///< of /tf
+    FrameReaders frames;
 };
 
 } // namespace teleta::ros_arm

@@ -114,7 +114,7 @@ QString TouchTexts::warning(TouchWarning warning) {
     case TouchWarning::rateDependent:
         return tr("The force depends on how quickly the object is pressed.");
     case TouchWarning::stickSlip:
-        return tr("The torque jumps, or the joint has play.");
+        return tr("The torque jumps or falls back, or the joint has play.");
     }
     return {};
 }

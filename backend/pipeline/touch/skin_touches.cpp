@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch/skin_touches.h"
 
-#include "backend/core/steady_time.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -28,49 +26,50 @@ std::optional<TouchRecord> SkinTouches::update(const core::JointSample& sample,
         m_skin.reset();
     }
     m_newest = sample;
-    return advance(sample.time_ns, settings.release_s);
+    return advance(settings.release_s);
 }
 
 std::optional<TouchRecord> SkinTouches::update(const SkinContact& contact,
                                                const TouchEstimatorSettings& settings) {
-    const bool felt = contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
-                      std::isgreaterequal(contact.force_N, settings.leastSkinForce_N);
-    if (felt)
-        m_skin = contact;
-    else
+    if (!m_newest || !m_skinAt)
+        return std::nullopt;
+    if (!(contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
+          std::isgreaterequal(contact.force_N, settings.leastSkinForce_N))) {
         m_skin.reset();
-    if (felt && m_skinAt && m_newest) {
-        if (!m_touch) {
-            m_touch.emplace();
-            m_touch->first_ns = contact.time_ns;
-            m_touch->first_s = m_newest->sourceTime_s;
-        }
-        m_touch->felt_ns = contact.time_ns;
-        m_touch->left_ns.reset();
-        m_touch->pose = *m_newest;
-        ++m_touch->frames;
-        TouchedPlace::add(m_touch->place, contact, m_skinAt->centreSe_m());
-    } else if (m_touch && !m_touch->left_ns) {
-        m_touch->left_ns = contact.time_ns;
+        if (m_touch && !m_touch->left_s)
+            m_touch->left_s = m_newest->sourceTime_s;
+        return advance(settings.release_s);
     }
-    return advance(contact.time_ns, settings.release_s);
+    m_skin = contact;
+    m_felt_s = m_newest->sourceTime_s;
+    if (!m_touch) {
+        m_touch.emplace();
+        m_touch->first_ns = contact.time_ns;
+        m_touch->first_s = m_felt_s;
+    }
+    m_touch->left_s.reset();
+    m_touch->pose = *m_newest;
+    ++m_touch->frames;
+    TouchedPlace::add(m_touch->place, contact, m_skinAt->centreSe_m());
+    return advance(settings.release_s);
 }
 
-std::optional<TouchRecord> SkinTouches::advance(std::int64_t now_ns, double release_s) {
+std::optional<TouchRecord> SkinTouches::advance(double release_s) {
+    const double now_s = m_newest->sourceTime_s;
+    const bool isSilent = now_s - m_felt_s >= kSilence_s;
+    if (isSilent)
+        m_skin.reset();
     if (!m_touch)
         return std::nullopt;
-    const bool isOver = (m_touch->left_ns && core::elapsed_s(*m_touch->left_ns, now_ns) >= release_s) ||
-                        core::elapsed_s(m_touch->felt_ns, now_ns) >= kSilence_s;
+    const bool isOver = isSilent || (m_touch->left_s && now_s - *m_touch->left_s >= release_s);
     std::optional<TouchRecord> record;
     if (!m_touch->recorded && m_touch->frames >= kLeastFrames &&
-        (isOver || core::elapsed_s(m_touch->first_ns, now_ns) >= kSettle_s)) {
+        (isOver || now_s - m_touch->first_s >= kSettle_s)) {
         m_touch->recorded = true;
         record = makeRecord();
     }
-    if (isOver) {
+    if (isOver)
         m_touch.reset();
-        m_skin.reset();
-    }
     return record;
 }
 

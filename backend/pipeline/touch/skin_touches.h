@@ -20,10 +20,12 @@ namespace teleta::pipeline {
 /// neither a force nor a stiffness (Refusal::noTorques). A touch begins with the first frame over
 /// TouchEstimatorSettings::leastSkinForce_N, is recorded when it has lasted kSettle_s, or when it ends sooner
 /// after kLeastFrames frames, and ends when the skin has felt nothing for release_s or has been silent for
-/// kSilence_s. Its point is that of the joints at the newest frame in which it was felt.
+/// kSilence_s. Its point is that of the joints at the newest frame in which it was felt. Times are those of
+/// the arm's stream, so that a recording has the same touches at each speed.
 ///
-/// A sample with an angle that is not finite, or not of each joint, is left out; a discontinuity or a time
-/// that runs back ends a touch without a record. Samples and contacts come in order of time. Thread: one.
+/// A sample with an angle that is not finite, or not of each joint, is left out, and so are contacts before
+/// the first sample; a discontinuity or a time that runs back ends a touch without a record. Samples and
+/// contacts come in order of time. Thread: one.
 class SkinTouches {
 public:
     static constexpr double kSettle_s = 0.1;
@@ -38,28 +40,29 @@ public:
                                                     const TouchEstimatorSettings& settings);
     [[nodiscard]] std::optional<TouchRecord> update(const SkinContact& contact,
                                                     const TouchEstimatorSettings& settings);
+    [[nodiscard]] std::uint64_t touches() const { return m_touches; } ///< records made
     /// What the skin feels now, without a force; empty when it feels nothing.
     [[nodiscard]] std::optional<LiveContact> liveContact() const;
 
 private:
     struct Touch {
         std::int64_t first_ns = 0;
-        double first_s = 0.0; ///< by the arm's time
-        std::int64_t felt_ns = 0;            ///< the newest frame in which it was felt
-        std::optional<std::int64_t> left_ns; ///< the first frame in which it was felt no more
+        double first_s = 0.0;
+        std::optional<double> left_s; ///< the first frame in which it was felt no more
         int frames = 0;
         bool recorded = false;
         core::JointSample pose; ///< newest in which it was felt
         std::optional<TouchedPlace> place;
     };
 
-    [[nodiscard]] std::optional<TouchRecord> advance(std::int64_t now_ns, double release_s);
+    [[nodiscard]] std::optional<TouchRecord> advance(double release_s);
     [[nodiscard]] TouchRecord makeRecord();
 
     std::size_t m_joints;
     std::shared_ptr<const SkinKinematics> m_skinAt;
     std::optional<core::JointSample> m_newest;
     std::optional<SkinContact> m_skin; ///< newest contact; empty while the skin feels nothing
+    double m_felt_s = 0.0;             ///< of m_skin
     std::optional<Touch> m_touch;
     std::uint64_t m_touches = 0;
 };

@@ -112,6 +112,8 @@ public:
     [[nodiscard]] const TouchEstimatorSettings& settings() const { return m_settings; }
     /// Forgets all but the counters.
     void reset();
+    /// The next touch has the number after this one.
+    void countFrom(std::uint64_t touches) { m_touches = touches; }
 
     [[nodiscard]] JointPhases phases() const;
     [[nodiscard]] const core::JointVector& reference_Nm() const { return m_reference_Nm; }

@@ -11,6 +11,7 @@
 #include "devices/dds/wait_set.h"
 #include "devices/ros/arm_chain.h"
 #include "devices/ros/arm_commander.h"
+#include "devices/ros/frame_readers.h"
 #include "devices/ros/joint_watch.h"
 #include "devices/ros/wall_clock.h"
 #include "devices/ros/wrench_readers.h"
@@ -132,7 +133,7 @@ void findForce(Findings& findings, const RosArmFile& file, const ArmObservation&
         return findings.add(
             "force", bad,
             ArmCheckText::tr("%1 reports a force in the frame %2, which neither the description nor "
-                             "/tf has")
+                             "/tf_static nor /tf (within the last second) has")
                 .arg(topic, asText(seen.wrench->unknownFrame)));
     const QString text =
         ArmCheckText::tr("%1 messages a second, longest gap %2 s, at most %3 N")

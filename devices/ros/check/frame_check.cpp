@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/ros/check/frame_check.h"
 
-#include "backend/core/steady_time.h"
-#include "backend/ros/qos_profile.h"
-#include "backend/ros/topic_names.h"
-
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace teleta::ros_arm {
 
 namespace {
 
-/// Of messages that wait, as ROS keeps of both topics.
-constexpr int kMostAtOnce = 100;
 /// A stamp in s since 1970 has steps of a quarter of a microsecond.
 constexpr double kStampRounding_s = 1e-6;
+/// Poses of a later time are of another clock.
+constexpr double kFarAhead_s = 5.0;
 
 } // namespace
 
@@ -39,8 +36,14 @@ void FrameCheck::takeMoving(const ros::TFMessage& message, std::int64_t read_ns)
 }
 
 void FrameCheck::takeJoints(const core::JointVector& position, double stamp_s) {
+    if (!m_joints.empty() && stamp_s < m_joints.back().stamp_s - kLongestGap_s) {
+        m_joints.clear(); // the robot's clock was set back
+        m_waiting.clear();
+    }
     if (!m_joints.empty() && stamp_s <= m_joints.back().stamp_s)
         return;
+    std::erase_if(m_waiting,
+                  [stamp_s](const FrameTree::Pose& pose) { return pose.stamp_s > stamp_s + kFarAhead_s; });
     // Poses that end here have been reported in full.
     compareWaiting();
     m_joints.push_back({stamp_s, position});
@@ -65,6 +68,11 @@ void FrameCheck::compareWaiting() {
         const double gap_s = after->stamp_s - before.stamp_s;
         if (gap_s > kLongestGap_s)
             continue;
+        // Between two samples no joint turns by half a turn: it has come round.
+        const auto jumps = [](double a, double b) { return std::abs(a - b) > std::numbers::pi; };
+        if (!std::ranges::equal(before.position, after->position,
+                                [&](double a, double b) { return !jumps(a, b); }))
+            continue;
         const double share = (pose.stamp_s - before.stamp_s) / gap_s;
         core::JointVector position = before.position;
         for (std::size_t i = 0; i < position.size(); ++i)
@@ -79,22 +87,6 @@ void FrameCheck::compare(const FrameTree::Pose& pose, const core::JointVector& p
     m_seen.farthest_m = std::max(m_seen.farthest_m, X_Own_Told.translation().norm());
     m_seen.largestTurn_rad =
         std::max(m_seen.largestTurn_rad, std::abs(Eigen::AngleAxisd(X_Own_Told.linear()).angle()));
-}
-
-core::Expected<FrameReaders> FrameReaders::open(const std::shared_ptr<const dds::Participant>& participant) {
-    TELETA_TRY(auto fixed, dds::Reader<ros::TFMessage>::open(participant, ros::ddsTopicOf("/tf_static"),
-                                                             ros::kLatchedReader.withDepth(kMostAtOnce)));
-    TELETA_TRY(auto moving, dds::Reader<ros::TFMessage>::open(participant, ros::ddsTopicOf("/tf"),
-                                                              ros::kSensorReader.withDepth(kMostAtOnce)));
-    return FrameReaders{std::move(fixed), std::move(moving)};
-}
-
-void FrameReaders::take(FrameCheck& check) {
-    (void)fixed.take(
-        [&check](const ros::TFMessage& message, const dds::SampleInfo&) { check.takeFixed(message); });
-    (void)moving.take([&check](const ros::TFMessage& message, const dds::SampleInfo&) {
-        check.takeMoving(message, core::steadyNow_ns());
-    });
 }
 
 } // namespace teleta::ros_arm

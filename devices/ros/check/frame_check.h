@@ -3,10 +3,7 @@
 
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/joint_vector.h"
-#include "backend/core/error.h"
 #include "backend/ros/messages.h"
-#include "devices/dds/endpoint.h"
-#include "devices/dds/participant.h"
 #include "devices/ros/frame_tree.h"
 
 #include <cstddef>
@@ -60,17 +57,6 @@ private:
     std::deque<Joints> m_joints;
     std::deque<FrameTree::Pose> m_waiting;
     FrameObservation m_seen;
-};
-
-/// The topics that a FrameCheck is told. Thread: one.
-struct FrameReaders {
-    /// Error: unavailable, a topic cannot be opened.
-    [[nodiscard]] static core::Expected<FrameReaders>
-    open(const std::shared_ptr<const dds::Participant>& participant);
-    void take(FrameCheck& check);
-
-    dds::Reader<ros::TFMessage> fixed;
-    dds::Reader<ros::TFMessage> moving;
 };
 
 } // namespace teleta::ros_arm

@@ -134,6 +134,22 @@ TEST_F(ArmChannelTest, anArmWithoutTorquesFindsWhereItTouches) {
     EXPECT_FALSE(m_channel.popTouch(record));
 }
 
+TEST_F(ArmChannelTest, touchesAreCountedOnWhenTorquesComeLater) {
+    m_withoutTorques = true;
+    touch();
+    m_withoutTorques = false;
+    touch();
+    touch();
+    m_channel.process();
+    TouchRecord record;
+    for (std::uint64_t number = 1; number <= 3; ++number) {
+        ASSERT_TRUE(m_channel.popTouch(record));
+        EXPECT_EQ(record.number, number);
+        EXPECT_EQ(record.refusal.has_value(), number == 1);
+    }
+    EXPECT_FALSE(m_channel.popTouch(record));
+}
+
 TEST_F(ArmChannelTest, countsATouchOfARecordingOnceHoweverOftenItIsPlayed) {
     m_source->setRecorded();
     for (int pass = 0; pass < 3; ++pass) {

@@ -27,7 +27,7 @@ public:
         for (int i = 0; i < duration_ms; ++i) {
             ++m_ms;
             core::JointSample sample;
-            sample.time_ns = 1'000'000'000 + 1'000'000LL * m_ms;
+            sample.time_ns = 1'000'000'000 + std::llround(1e6 * m_ms / speed);
             sample.sourceTime_s = 1e-3 * m_ms;
             sample.angle_rad = sample.reference_rad = q;
             keep(touches.update(sample, settings));
@@ -50,6 +50,7 @@ public:
     std::shared_ptr<const arm_model::SerialChain> chain = test::chainOf("resources/arms/seven-joints.urdf");
     core::PadPlacement pad = test::padOnLinkFive();
     TouchEstimatorSettings settings;
+    double speed = 1.0; ///< at which a recording is played
     JointVector q{0.3, -0.7, 0.2, 1.1, -0.4, 0.8, 0.5};
     SkinTouches touches{7, *padOnLink(chain, pad)};
     std::vector<TouchRecord> records;
@@ -113,6 +114,19 @@ TEST(SkinTouches, anEmptyFrameInATouchDoesNotEndIt) {
         arm.run(10, 0.0);
     }
     EXPECT_EQ(arm.records.size(), 1U);
+}
+
+TEST(SkinTouches, aRecordingHasTheSameTouchesAtEachSpeed) {
+    for (const double speed : {0.05, 1.0, 100.0}) {
+        PadWithoutTorques arm;
+        arm.speed = speed;
+        for (int i = 0; i < 3; ++i) {
+            arm.run(150, 0.0);
+            arm.run(50 + 100 * i, 1.0);
+        }
+        arm.run(150, 0.0);
+        EXPECT_EQ(arm.records.size(), 3U) << speed;
+    }
 }
 
 TEST(SkinTouches, aSkinThatFallsSilentEndsTheTouch) {

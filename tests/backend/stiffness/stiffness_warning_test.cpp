@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
+#include <vector>
 
 using namespace teleta::stiffness;
 using namespace teleta::stiffness::test;
@@ -83,6 +86,7 @@ TEST(StiffnessWarning, coarseReadingsAreToldAndNotReliable) {
     const TouchStiffness torque = answerTo(Disturbance::torqueSteps5);
     EXPECT_TRUE(torque.has(TouchWarning::coarseTorque));
     EXPECT_FALSE(torque.reliable);
+    EXPECT_FALSE(torque.has(TouchWarning::stickSlip)) << "a step back is no fall";
     EXPECT_GT(shareOf(torque, ErrorSource::quantization), 0.0);
     EXPECT_FALSE(answerTo(Disturbance::torqueSteps1).has(TouchWarning::coarseTorque));
 }
@@ -110,6 +114,41 @@ TEST(StiffnessWarning, playThatShowsWhereTheJointTurnsRoundIsTold) {
     const TouchStiffness touch = answerTo(Disturbance::backlash);
     EXPECT_TRUE(touch.has(TouchWarning::stickSlip));
     EXPECT_FALSE(touch.reliable);
+}
+
+/// 60 mNm in 240 ms against 5 kN/m; for one sample the torque falls back.
+std::vector<JointSample> risesAndFallsBack(double by_Nm, double noise_Nm) {
+    constexpr double kDistance_m = 0.175;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    std::vector<JointSample> log;
+    for (int i = 0; i < 500; ++i) {
+        const double torque_Nm = 0.00025 * std::max(0, i - 260);
+        log.push_back({1e-3 * i,
+                       torque_Nm / (5000.0 * kDistance_m * kDistance_m) + 1e-3 * (i < 260 ? 0.02 * i : 5.2),
+                       torque_Nm + noise_Nm * noise(random) - (i == 400 ? by_Nm : 0.0)});
+    }
+    return log;
+}
+
+TEST(StiffnessWarning, aTorqueThatFallsBackInTheRiseIsNotTheObjects) {
+    TouchSettings settings;
+    settings.contactDistance_m = 0.175;
+    settings.linkStiffness_NPerM = 1e9;
+    settings.patternsAreErrors = true;
+    const auto isTold = [&](double by_Nm, double noise_Nm) {
+        const auto touch = estimateStiffness(risesAndFallsBack(by_Nm, noise_Nm), settings);
+        EXPECT_TRUE(touch) << by_Nm;
+        return touch && touch->has(TouchWarning::stickSlip);
+    };
+    // A quarter of the window is 7.5 mNm.
+    for (const double noise_Nm : {0.0, 0.0005}) {
+        EXPECT_FALSE(isTold(0.0, noise_Nm));
+        EXPECT_FALSE(isTold(0.005, noise_Nm));
+        EXPECT_TRUE(isTold(0.010, noise_Nm));
+        EXPECT_TRUE(isTold(0.028, noise_Nm)) << "out of the window, where the rise seems to begin anew";
+    }
+    EXPECT_FALSE(isTold(0.010, 0.002)) << "8 standard deviations of this noise are 16 mNm";
 }
 
 TEST(StiffnessWarning, noiseThatRemembersForLongLeavesTooFewSamples) {

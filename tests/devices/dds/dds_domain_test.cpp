@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Messages between two processes over the loopback interface. Each test has a domain of its own, so that
 // tests beside it are not seen.
+#include "backend/core/threads/urgent_thread.h"
 #include "backend/ros/node_list.h"
 #include "devices/dds/discovery.h"
 #include "devices/dds/endpoint.h"
@@ -15,7 +16,11 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <optional>
+#include <sched.h>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -63,6 +68,28 @@ constexpr const char* kJoints = "DdsChild.DISABLED_publishesJoints";
 
 DdsChild jointPublisher(int domain, const std::string& how) {
     return DdsChild(kJoints, std::to_string(domain) + " " + how);
+}
+
+TEST(DdsDomain, theThreadThatReceivesIsUrgentWhereTheUserMayHaveThat) {
+    const std::optional<int> priority = core::libraryThreadPriority();
+    if (!priority)
+        GTEST_SKIP() << "this user may have no real-time priority";
+    const auto participant = Participant::open(loopback(96));
+    ASSERT_TRUE(participant) << core::describe(participant.error());
+    int receiving = 0;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::string name;
+        std::ifstream(task.path() / "comm") >> name;
+        if (!name.starts_with("recv"))
+            continue;
+        ++receiving;
+        const auto thread = static_cast<pid_t>(std::stoi(task.path().filename()));
+        sched_param parameters{};
+        EXPECT_EQ(sched_getscheduler(thread), SCHED_FIFO) << name;
+        EXPECT_EQ(sched_getparam(thread, &parameters), 0);
+        EXPECT_EQ(parameters.sched_priority, *priority);
+    }
+    EXPECT_GE(receiving, 1);
 }
 
 TEST(DdsDomain, aMessageArrivesAsItWasSent) {

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <numbers>
 #include <string>
 
 namespace teleta::ros_arm {
@@ -105,6 +107,33 @@ TEST(FrameCheck, whatCannotBeComparedIsNotCompared) {
     }
     EXPECT_TRUE(arm.check.seen().connected);
     EXPECT_EQ(arm.check.seen().compared, 0U);
+}
+
+TEST(FrameCheck, aJointThatComesRoundIsNotInterpolatedThroughZero) {
+    TwoJoints arm;
+    for (int i = 0; i < 10; ++i) {
+        const double a = i < 5 ? 3.1 : -3.1; // a continuous joint as some drivers tell it
+        arm.check.takeJoints({a, 0.0}, kStart_s + 0.02 * i);
+        arm.tell(lowerLink(i < 4 || i > 4 ? a : std::numbers::pi, 0.0, kStart_s + 0.02 * (i + 0.5)));
+    }
+    EXPECT_GE(arm.check.seen().compared, 6U);
+    EXPECT_LT(arm.check.seen().farthest_m, 1e-6);
+}
+
+TEST(FrameCheck, goesOnAfterTheRobotsClockJumped) {
+    TwoJoints arm;
+    arm.tell(lowerLink(0.4, 0.0, kStart_s + 3600.0)); // of another clock
+    const auto compared = [&arm](double start_s) {
+        const std::uint64_t before = arm.check.seen().compared;
+        for (int i = 0; i < 10; ++i) {
+            arm.tell(lowerLink(0.4, -0.3, start_s + 0.01 * i));
+            arm.check.takeJoints({0.4, -0.3}, start_s + 0.01 * i);
+        }
+        return arm.check.seen().compared - before;
+    };
+    EXPECT_GE(compared(kStart_s), 7U);
+    EXPECT_GE(compared(kStart_s - 1000.0), 7U) << "a simulation was started anew";
+    EXPECT_LT(arm.check.seen().farthest_m, 1e-9);
 }
 
 TEST(FrameCheck, framesOfDifferentTimesMakeNoPose) {

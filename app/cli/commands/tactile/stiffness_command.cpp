@@ -134,7 +134,7 @@ QString inWords(TouchWarning warning) {
     case TouchWarning::rateDependent:
         return StiffnessText::tr("the force depends on how quickly the object is pressed");
     case TouchWarning::stickSlip:
-        return StiffnessText::tr("the torque jumps, or the joint has play");
+        return StiffnessText::tr("the torque jumps or falls back, or the joint has play");
     }
     return {};
 }
