@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the maps of the handbook's page on sweeps: runs two sweeps that come with the program and draws a measure of each. Needs
-# librsvg2-bin and python3-pil. Takes some ten minutes of processor time.
+# Makes the maps of the handbook's page on sweeps: runs three sweeps that come with the program and draws a measure of each. Needs
+# librsvg2-bin and python3-pil. Takes a quarter of an hour of processor time.
 #   robustness_maps.sh [FOLDER [RESULTS]]      default: resources/handbook/pictures, a temporary folder
 # A folder of results that an earlier run has left is gone on with.
 set -euo pipefail
@@ -24,6 +24,7 @@ map() {
 }
 map touch-stiffness stiffness_error_mean
 map servo-friction completed
+map camera-place contact_error_mean_m
 # They lie in the programs: a palette takes a third of the room.
 /usr/bin/python3 - "$folder"/map-*.png <<'END'
 import sys

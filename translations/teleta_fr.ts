@@ -9641,8 +9641,8 @@ Run %2 --help for more.
         <translation>les horodatages de %1 ont %2&#xa0;s de retard sur cet ordinateur, MoveIt Servo admet de %3 à %4</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
-        <translation>%1 indique une force dans le repère %2, que ni la description ni /tf ne connaissent</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static nor /tf (within the last second) has</source>
+        <translation>%1 indique une force dans le repère %2, que ni la description, ni /tf_static, ni /tf (dans la dernière seconde) ne connaissent</translation>
     </message>
 </context>
 <context>
@@ -9752,10 +9752,6 @@ Run %2 --help for more.
         <translation>SANS GARDE&#xa0;: %1 garde son dernier ordre quand ce programme s’arrête ou que le réseau est en panne</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
-        <translation>%1 indique une force dans le repère %2, que ni la description ni /tf ne connaissent</translation>
-    </message>
-    <message>
         <source>/tf does not lead from %1 to %2</source>
         <translation>/tf ne mène pas de %1 à %2</translation>
     </message>
@@ -9778,6 +9774,10 @@ Run %2 --help for more.
     <message>
         <source>; the description is another robot&apos;s, or a joint has another zero</source>
         <translation>&#xa0;; la description est celle d’un autre robot, ou une articulation a un autre zéro</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static nor /tf (within the last second) has</source>
+        <translation>%1 indique une force dans le repère %2, que ni la description, ni /tf_static, ni /tf (dans la dernière seconde) ne connaissent</translation>
     </message>
 </context>
 <context>
@@ -11150,13 +11150,6 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
-    <name>SiteStreamText</name>
-    <message>
-        <source>this kind of stream is not known</source>
-        <translation>ce genre de flux n’est pas connu</translation>
-    </message>
-</context>
-<context>
     <name>SkinKinematics</name>
     <message>
         <source>the joint %1 slides, and stiffness is evaluated from an angle</source>
@@ -11642,10 +11635,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>la force dépend de la vitesse à laquelle on presse l’objet</translation>
     </message>
     <message>
-        <source>the torque jumps, or the joint has play</source>
-        <translation>le couple saute, ou l’articulation a du jeu</translation>
-    </message>
-    <message>
         <source>the free joint has another torque than --torque-reference says</source>
         <translation>l’articulation libre a un autre couple que celui de --torque-reference</translation>
     </message>
@@ -11800,6 +11789,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Stiffness and material of an object from joint angle and torque during a touch</source>
         <translation>Raideur et matériau d’un objet d’après l’angle et le couple articulaires pendant un toucher</translation>
+    </message>
+    <message>
+        <source>the torque jumps or falls back, or the joint has play</source>
+        <translation>le couple saute ou retombe, ou l’articulation a du jeu</translation>
     </message>
 </context>
 <context>
@@ -15894,10 +15887,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>La force dépend de la vitesse à laquelle on presse l’objet.</translation>
     </message>
     <message>
-        <source>The torque jumps, or the joint has play.</source>
-        <translation>Le couple saute, ou l’articulation a du jeu.</translation>
-    </message>
-    <message>
         <source>The joint that presses feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
         <translation>L’articulation qui appuie ne sent rien d’un contact sur son axe ou le long de celui-ci, ou la raideur du segment n’est pas réglée. Touchez d’un autre côté.</translation>
     </message>
@@ -15908,6 +15897,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The arm measures no joint torques, so the touch has a place but no stiffness.</source>
         <translation>Le bras ne mesure pas les couples de ses articulations&#xa0;: le contact a une position, mais pas de raideur.</translation>
+    </message>
+    <message>
+        <source>The torque jumps or falls back, or the joint has play.</source>
+        <translation>Le couple saute ou retombe, ou l’articulation a du jeu.</translation>
     </message>
 </context>
 <context>

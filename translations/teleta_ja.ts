@@ -9616,8 +9616,8 @@ Run %2 --help for more.
         <translation>%1のスタンプはこのコンピューターより%2 s遅れています。MoveIt Servoが受け付けるのは%3から%4です</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
-        <translation>%1は座標系%2で力を報告していますが、記述にも/tfにもありません</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static nor /tf (within the last second) has</source>
+        <translation>%1は座標系%2で力を報告していますが、記述にも/tf_staticにも、直近1秒の/tfにもありません</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9727,6 @@ Run %2 --help for more.
         <translation>保護なし: このプログラムが終了するかネットワークが故障しても、%1は最後の指令を保ちます</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
-        <translation>%1は座標系%2で力を報告していますが、記述にも/tfにもありません</translation>
-    </message>
-    <message>
         <source>/tf does not lead from %1 to %2</source>
         <translation>/tfでは%1から%2までつながりません</translation>
     </message>
@@ -9753,6 +9749,10 @@ Run %2 --help for more.
     <message>
         <source>; the description is another robot&apos;s, or a joint has another zero</source>
         <translation>。別のロボットの記述であるか、関節の零点が違います</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static nor /tf (within the last second) has</source>
+        <translation>%1は座標系%2で力を報告していますが、記述にも/tf_staticにも、直近1秒の/tfにもありません</translation>
     </message>
 </context>
 <context>
@@ -11123,13 +11123,6 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
-    <name>SiteStreamText</name>
-    <message>
-        <source>this kind of stream is not known</source>
-        <translation>この種のストリームは不明です</translation>
-    </message>
-</context>
-<context>
     <name>SkinKinematics</name>
     <message>
         <source>the joint %1 slides, and stiffness is evaluated from an angle</source>
@@ -11615,10 +11608,6 @@ Run teleta-site --help for more.
         <translation>力が物体を押す速さに依存しています</translation>
     </message>
     <message>
-        <source>the torque jumps, or the joint has play</source>
-        <translation>トルクが飛んでいるか、関節に遊びがあります</translation>
-    </message>
-    <message>
         <source>the free joint has another torque than --torque-reference says</source>
         <translation>自由な関節のトルクが --torque-reference の値と異なります</translation>
     </message>
@@ -11773,6 +11762,10 @@ Run teleta-site --help for more.
     <message>
         <source>Stiffness and material of an object from joint angle and torque during a touch</source>
         <translation>タッチ中の関節角度とトルクから求めた物体の剛性と材料</translation>
+    </message>
+    <message>
+        <source>the torque jumps or falls back, or the joint has play</source>
+        <translation>トルクが飛ぶか戻るか、関節に遊びがあります</translation>
     </message>
 </context>
 <context>
@@ -15856,10 +15849,6 @@ Run teleta-site --help for more.
         <translation>力が物体を押す速さに依存しています。</translation>
     </message>
     <message>
-        <source>The torque jumps, or the joint has play.</source>
-        <translation>トルクが飛んでいるか、関節に遊びがあります。</translation>
-    </message>
-    <message>
         <source>The joint that presses feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
         <translation>押す関節は、その軸上または軸方向の接触を感じません。または、リンクの剛性が設定されていません。別の側から触れてください。</translation>
     </message>
@@ -15870,6 +15859,10 @@ Run teleta-site --help for more.
     <message>
         <source>The arm measures no joint torques, so the touch has a place but no stiffness.</source>
         <translation>アームは関節トルクを測定しないため、接触の位置は分かりますが、剛性は求められません。</translation>
+    </message>
+    <message>
+        <source>The torque jumps or falls back, or the joint has play.</source>
+        <translation>トルクが飛ぶか戻るか、関節に遊びがあります。</translation>
     </message>
 </context>
 <context>

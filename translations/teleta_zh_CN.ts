@@ -9616,8 +9616,8 @@ Run %2 --help for more.
         <translation>%1 的时间戳比本计算机晚 %2 s，MoveIt Servo 接受 %3 到 %4</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
-        <translation>%1 报告的力属于坐标系 %2，描述和 /tf 中都没有它</translation>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static nor /tf (within the last second) has</source>
+        <translation>%1 报告的力属于坐标系 %2，描述、/tf_static 以及最近一秒的 /tf 中都没有它</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9727,6 @@ Run %2 --help for more.
         <translation>无保护：本程序结束或网络出故障时，%1 保持其最后的指令</translation>
     </message>
     <message>
-        <source>%1 reports a force in the frame %2, which neither the description nor /tf has</source>
-        <translation>%1 报告的力属于坐标系 %2，描述和 /tf 中都没有它</translation>
-    </message>
-    <message>
         <source>/tf does not lead from %1 to %2</source>
         <translation>/tf 没有从 %1 到 %2 的路径</translation>
     </message>
@@ -9753,6 +9749,10 @@ Run %2 --help for more.
     <message>
         <source>; the description is another robot&apos;s, or a joint has another zero</source>
         <translation>；描述属于另一台机器人，或者某个关节的零位不同</translation>
+    </message>
+    <message>
+        <source>%1 reports a force in the frame %2, which neither the description nor /tf_static nor /tf (within the last second) has</source>
+        <translation>%1 报告的力属于坐标系 %2，描述、/tf_static 以及最近一秒的 /tf 中都没有它</translation>
     </message>
 </context>
 <context>
@@ -11123,13 +11123,6 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
-    <name>SiteStreamText</name>
-    <message>
-        <source>this kind of stream is not known</source>
-        <translation>未知的流类型</translation>
-    </message>
-</context>
-<context>
     <name>SkinKinematics</name>
     <message>
         <source>the joint %1 slides, and stiffness is evaluated from an angle</source>
@@ -11615,10 +11608,6 @@ Run teleta-site --help for more.
         <translation>力取决于按压物体的快慢</translation>
     </message>
     <message>
-        <source>the torque jumps, or the joint has play</source>
-        <translation>力矩跳变，或关节有间隙</translation>
-    </message>
-    <message>
         <source>the free joint has another torque than --torque-reference says</source>
         <translation>自由关节的力矩与 --torque-reference 的值不同</translation>
     </message>
@@ -11773,6 +11762,10 @@ Run teleta-site --help for more.
     <message>
         <source>Stiffness and material of an object from joint angle and torque during a touch</source>
         <translation>由触碰期间的关节角和力矩求物体的刚度和材料</translation>
+    </message>
+    <message>
+        <source>the torque jumps or falls back, or the joint has play</source>
+        <translation>力矩跳变或回落，或关节有间隙</translation>
     </message>
 </context>
 <context>
@@ -15856,10 +15849,6 @@ Run teleta-site --help for more.
         <translation>力取决于按压物体的快慢。</translation>
     </message>
     <message>
-        <source>The torque jumps, or the joint has play.</source>
-        <translation>力矩跳变，或关节有间隙。</translation>
-    </message>
-    <message>
         <source>The joint that presses feels nothing of a touch on its axis or along it, or the link&apos;s stiffness is not set. Touch from another side.</source>
         <translation>按压的关节感觉不到位于其轴上或沿其轴的接触，或者未设置连杆刚度。请从另一侧触碰。</translation>
     </message>
@@ -15870,6 +15859,10 @@ Run teleta-site --help for more.
     <message>
         <source>The arm measures no joint torques, so the touch has a place but no stiffness.</source>
         <translation>机械臂不测量关节力矩，因此接触有位置，但没有刚度。</translation>
+    </message>
+    <message>
+        <source>The torque jumps or falls back, or the joint has play.</source>
+        <translation>力矩跳变或回落，或关节有间隙。</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,10 @@ constexpr std::array kTrials{
     CodebookRow{"early_presses", "Presses before answers were accepted"},
     CodebookRow{"onset_s", "Onset of the stimulus since the session began; of the last replay", "s"},
     CodebookRow{"duration_s", "Length of the stimulus", "s"},
-    CodebookRow{"device_latency_ms", "From the request to the confirmed onset", "ms", "", "not known"},
+    CodebookRow{"device_latency_ms",
+                "From the request to the onset: the confirmed write, plus the latency_ms in the file of a "
+                "sound bracelet",
+                "ms", "", "not known"},
     CodebookRow{"device_faults", "Faults of the bracelet during the trial"},
     CodebookRow{"feedback", "Whether the right answer was shown after the trial", "", kYesNo},
     CodebookRow{"masking_noise", "Noise in the headphones, with its level as set by the experimenter"},
