@@ -18,6 +18,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <utility>
@@ -43,12 +44,11 @@ const StreamInfo* findStream(const site_link::SiteClient& site, const std::strin
 core::Expected<std::shared_ptr<pipeline::TouchChannel>>
 openSkin(const std::shared_ptr<site_link::SiteClient>& site, const std::string& device,
          const StreamInfo& stream) {
-    TELETA_TRY(pipeline::RecordedArray array, pipeline::recordedArray(stream, site->file().name));
-    array.description.recorded = false;
     const StreamInfo* temperatures = findStream(*site, device, StreamKind::numbers);
-    TELETA_TRY(auto source,
-               site_link::RemoteArray::open(site, device, array.description,
-                                            temperatures != nullptr ? temperatures->channels() : 0));
+    const std::size_t chips = temperatures != nullptr ? temperatures->channels() : 0;
+    TELETA_TRY(pipeline::RecordedArray array, pipeline::recordedArray(stream, site->file().name, chips));
+    array.description.recorded = false;
+    TELETA_TRY(auto source, site_link::RemoteArray::open(site, device, array.description, chips));
     auto skin = std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
     skin->setLoads(std::move(array.loads));
     return skin;

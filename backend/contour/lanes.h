@@ -23,6 +23,7 @@ using Lanes [[gnu::vector_size(8 * kLanes)]] = double;
 }
 
 #ifdef __x86_64__
+/// The processor must have AVX2.
 template <typename Work>
 [[gnu::target("avx2")]] void doWithAvx2(const Work& work) {
     work();
@@ -30,7 +31,8 @@ template <typename Work>
 #endif
 
 /// Does the work with the widest instructions that the processor has. Work: its operator() is always_inline
-/// and calls nothing that is not. Results do not depend on the processor.
+/// and calls nothing that is not. Results are the same bits on every x86-64 processor: it uses AVX2
+/// without fused multiplication (FMA). Other processors may round differently.
 template <typename Work>
 void doInLanes(const Work& work) {
 #ifdef __x86_64__

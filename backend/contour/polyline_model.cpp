@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace teleta::contour {
@@ -96,6 +95,11 @@ std::span<const double> numbersOf(const auto& vertices) {
     return {vertices.data(), static_cast<std::size_t>(vertices.size())};
 }
 
+/// Whether there are an edge and a place for each.
+bool isChain(const Eigen::VectorXd& vertices) {
+    return vertices.size() >= 4 && vertices.size() <= kMostParameters && vertices.size() % 2 == 0;
+}
+
 } // namespace
 
 // The derivatives are four columns: the nearest edge, the share of its length, and the derivative of the
@@ -135,7 +139,7 @@ void PolylineModel::evaluate(At& at) const {
         std::ranges::fill(at.residuals, m_farthest);
 }
 
-void PolylineModel::equations(const At& at, const double* weights, const double* pulls,
+void PolylineModel::equations(const At& at, const double* weights, const double* weightedResiduals,
                               StepEquations& equations) const {
     const std::size_t filled = m_points.filled();
     const double* nearest = at.derivatives.data();
@@ -144,7 +148,7 @@ void PolylineModel::equations(const At& at, const double* weights, const double*
     const double* byY = byX + filled;
     const auto vertices = static_cast<std::size_t>(at.parameters.size()) / 2;
     // Sums of each edge: the squares and products by its start, by its start and end, by its end; then the
-    // pulls.
+    // gradient by its start and by its end.
     std::array<std::array<double, 13>, kMostParameters / 2> sums{};
     for (std::size_t i = 0; i < m_points.count; ++i) {
         auto& edge = sums[static_cast<std::size_t>(nearest[i])];
@@ -165,12 +169,12 @@ void PolylineModel::equations(const At& at, const double* weights, const double*
         edge[6] += last * xx;
         edge[7] += last * xy;
         edge[8] += last * yy;
-        const double pullX = pulls[i] * byX[i];
-        const double pullY = pulls[i] * byY[i];
-        edge[9] -= atStart * pullX;
-        edge[10] -= atStart * pullY;
-        edge[11] -= atEnd * pullX;
-        edge[12] -= atEnd * pullY;
+        const double weightedX = weightedResiduals[i] * byX[i];
+        const double weightedY = weightedResiduals[i] * byY[i];
+        edge[9] -= atStart * weightedX;
+        edge[10] -= atStart * weightedY;
+        edge[11] -= atEnd * weightedX;
+        edge[12] -= atEnd * weightedY;
     }
     equations.count = static_cast<int>(2 * vertices);
     for (int column = 0; column < equations.count; ++column) {
@@ -236,6 +240,8 @@ RobustFit PolylineModel::fitAt(const Eigen::VectorXd& vertices) const {
 
 std::vector<double> placesOnPolyline(std::span<const Point> points, const Eigen::VectorXd& vertices,
                                      bool closed) {
+    if (!isChain(vertices))
+        return std::vector<double>(points.size(), std::numeric_limits<double>::quiet_NaN());
     const PointColumns columns(points);
     std::vector<double> places(columns.filled());
     std::vector<double> shares(columns.filled());
@@ -248,6 +254,8 @@ std::vector<double> placesOnPolyline(std::span<const Point> points, const Eigen:
 
 std::vector<double> waysOnPolyline(std::span<const Point> points, const Eigen::VectorXd& vertices,
                                    bool closed) {
+    if (!isChain(vertices))
+        return std::vector<double>(points.size(), std::numeric_limits<double>::quiet_NaN());
     const std::vector<Point> corners = toVertices(vertices);
     const std::size_t edges = closed ? corners.size() : corners.size() - 1;
     std::vector<double> begins{0.0};

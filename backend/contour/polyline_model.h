@@ -9,8 +9,9 @@
 
 namespace teleta::contour {
 
-/// A chain of edges; parameters: the coordinates (x0, y0, x1, y1, ...) of its vertices. Distances are
-/// positive to the left of the chain. The first and last edge of an open chain extend beyond its ends.
+/// A chain of edges; parameters: the coordinates (x0, y0, x1, y1, ...) of its vertices, at least two and at
+/// most kMostParameters / 2 of them. Distances are positive to the left of the chain. The first and last edge
+/// of an open chain extend beyond its ends.
 class PolylineModel : public RobustModel {
 public:
     /// farthest: a vertex further from the origin on either axis makes every distance this.
@@ -22,10 +23,10 @@ public:
 
     [[nodiscard]] const PointColumns& points() const override { return m_points; }
     void evaluate(At& at) const override;
-    void equations(const At& at, const double* weights, const double* pulls,
+    void equations(const At& at, const double* weights, const double* weightedResiduals,
                    StepEquations& equations) const override;
     [[nodiscard]] Eigen::MatrixXd jacobian(const At& at) const override;
-    /// With these vertices, without a search.
+    /// With these vertices, as many as the model may have, without a search.
     [[nodiscard]] RobustFit fitAt(const Eigen::VectorXd& vertices) const;
 
 private:
@@ -35,11 +36,13 @@ private:
 };
 
 /// For each point the nearest edge and the place on it: index of the edge plus the share of its length.
-/// Beyond the ends of an open chain the share is below 0 or above 1.
+/// Beyond the ends of an open chain the share is below 0 or above 1. vertices: coordinates of at least two,
+/// at most kMostParameters numbers; for any other number of them every place is NaN. Thread: any (pure).
 [[nodiscard]] std::vector<double> placesOnPolyline(std::span<const Point> points,
                                                    const Eigen::VectorXd& vertices, bool closed);
 
-/// The same as the way from the first vertex, in units of the size.
+/// The same as the way from the first vertex, in units of the size. vertices: as there; otherwise every way
+/// is NaN. Thread: any (pure).
 [[nodiscard]] std::vector<double> waysOnPolyline(std::span<const Point> points,
                                                  const Eigen::VectorXd& vertices, bool closed);
 

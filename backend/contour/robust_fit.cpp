@@ -80,7 +80,8 @@ bool solve(const StepEquations& equations, double damping, double strength, Robu
 }
 
 /// Weights of the biweight, and weights times residuals; 0 beyond the points.
-void weigh(const double* residuals, std::size_t count, double inverse2, double* weights, double* pulls) {
+void weigh(const double* residuals, std::size_t count, double inverse2, double* weights,
+           double* weightedResiduals) {
     doInLanes([&]() __attribute__((always_inline)) {
         for (std::size_t i = 0; i < count; i += kLanes) {
             const Lanes zero{};
@@ -90,11 +91,11 @@ void weigh(const double* residuals, std::size_t count, double inverse2, double* 
             kept = kept > zero ? kept : zero;
             kept *= kept;
             store(weights + i, kept);
-            store(pulls + i, kept * residual);
+            store(weightedResiduals + i, kept * residual);
         }
     });
     for (std::size_t i = count; i % kLanes != 0; ++i)
-        weights[i] = pulls[i] = 0.0;
+        weights[i] = weightedResiduals[i] = 0.0;
 }
 
 /// Minimises the loss at a fixed scale, in place.
@@ -108,11 +109,11 @@ void descend(const RobustModel& model, At& at, double scale, double tolerance) {
     RobustModel::Parameters step(at.parameters.size());
     StepEquations equations;
     std::vector<double> weights(2 * filled, 0.0);
-    double* pulls = weights.data() + filled;
+    double* weightedResiduals = weights.data() + filled;
     const double inverse2 = 1.0 / (scale * scale);
     for (int iteration = 0; iteration < kIterations; ++iteration) {
-        weigh(at.residuals.data(), count, inverse2, weights.data(), pulls);
-        model.equations(at, weights.data(), pulls, equations);
+        weigh(at.residuals.data(), count, inverse2, weights.data(), weightedResiduals);
+        model.equations(at, weights.data(), weightedResiduals, equations);
         double strength = 0.0;
         for (int k = 0; k < equations.count; ++k)
             strength = std::max(strength, equations.at(k, k));
@@ -154,17 +155,17 @@ void descend(const RobustModel& model, At& at, double scale, double tolerance) {
 /// its own, so that all stay in registers, where an array goes through memory.
 template <int P, int row>
 [[gnu::always_inline]] inline void addRow(const double* derivatives, std::size_t filled,
-                                          const double* weights, const double* pulls,
+                                          const double* weights, const double* weightedResiduals,
                                           StepEquations& equations) {
     constexpr int kColumns = P - row;
     const double* own = derivatives + static_cast<std::size_t>(row) * filled;
     Lanes onRow{}, sum0{}, sum1{}, sum2{}, sum3{}, sum4{};
     for (std::size_t i = 0; i < filled; i += kLanes) {
-        Lanes number, weight, pull, other;
+        Lanes number, weight, weighted, other;
         load(number, own + i);
         load(weight, weights + i);
-        load(pull, pulls + i);
-        onRow += pull * number;
+        load(weighted, weightedResiduals + i);
+        onRow += weighted * number;
         weight *= number;
         sum0 += weight * number;
         if constexpr (kColumns > 1) {
@@ -247,20 +248,20 @@ PointColumns::PointColumns(std::span<const Point> points)
 }
 
 template <int P>
-void ColumnModel<P>::equations(const At& at, const double* weights, const double* pulls,
+void ColumnModel<P>::equations(const At& at, const double* weights, const double* weightedResiduals,
                                StepEquations& equations) const {
     equations.count = P;
     const double* derivatives = at.derivatives.data();
     const std::size_t filled = m_points.filled();
     doInLanes([&]() __attribute__((always_inline)) {
-        addRow<P, 0>(derivatives, filled, weights, pulls, equations);
-        addRow<P, 1>(derivatives, filled, weights, pulls, equations);
+        addRow<P, 0>(derivatives, filled, weights, weightedResiduals, equations);
+        addRow<P, 1>(derivatives, filled, weights, weightedResiduals, equations);
         if constexpr (P > 2)
-            addRow<P, 2>(derivatives, filled, weights, pulls, equations);
+            addRow<P, 2>(derivatives, filled, weights, weightedResiduals, equations);
         if constexpr (P > 3)
-            addRow<P, 3>(derivatives, filled, weights, pulls, equations);
+            addRow<P, 3>(derivatives, filled, weights, weightedResiduals, equations);
         if constexpr (P > 4)
-            addRow<P, 4>(derivatives, filled, weights, pulls, equations);
+            addRow<P, 4>(derivatives, filled, weights, weightedResiduals, equations);
     });
 }
 

@@ -72,8 +72,8 @@ public:
     [[nodiscard]] virtual const PointColumns& points() const = 0;
     /// Fills residuals and derivatives; resizes both where needed.
     virtual void evaluate(At& at) const = 0;
-    /// Normal matrix by these weights; gradient by weights times residuals.
-    virtual void equations(const At& at, const double* weights, const double* pulls,
+    /// Normal matrix by these weights; gradient by weightedResiduals, which are weights times residuals.
+    virtual void equations(const At& at, const double* weights, const double* weightedResiduals,
                            StepEquations& equations) const = 0;
     [[nodiscard]] virtual Eigen::MatrixXd jacobian(const At& at) const = 0;
 };
@@ -85,7 +85,7 @@ public:
     explicit ColumnModel(const PointColumns& points)
         : m_points(points) {}
     [[nodiscard]] const PointColumns& points() const final { return m_points; }
-    void equations(const At& at, const double* weights, const double* pulls,
+    void equations(const At& at, const double* weights, const double* weightedResiduals,
                    StepEquations& equations) const final;
     [[nodiscard]] Eigen::MatrixXd jacobian(const At& at) const final;
 

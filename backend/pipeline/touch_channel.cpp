@@ -42,8 +42,9 @@ TouchChannel::TouchChannel(std::unique_ptr<core::TactileSource> source, ChannelS
     m_current.dead.resize(layout.taxels());
     m_current.labels.resize(layout.taxels());
     m_settingsInUse.set(m_settings);
-    if (!m_settings.tareTemperatures_degC.empty())
-        m_drift.take(m_settings.tareTemperatures_degC);
+    // What comes first need not be near the tare: a playback begins anywhere.
+    if (!m_settings.conditioning.tare.empty())
+        m_drift.restart(m_settings.tareTemperatures_degC);
 }
 
 TouchChannel::~TouchChannel() {
@@ -201,7 +202,8 @@ void TouchChannel::takeTemperatures(std::span<const std::shared_ptr<const TouchT
     const bool isTared = !m_settings.conditioning.tare.empty();
     if (isTared && m_settings.tareTemperatures_degC.empty() && !m_drift.atTare().empty()) {
         m_settings.tareTemperatures_degC = m_drift.atTare();
-        m_settingsInUse.set(m_settings); // nothing is computed with them: no new revision
+        m_settingsInUse.set(m_settings);
+        m_revision.fetch_add(1, std::memory_order_acq_rel); // a recording has the tare without them
     }
     const bool isTold = m_drift.isTold() && isTared;
     m_driftTold.set(isTold ? m_drift.largest() : std::nullopt);

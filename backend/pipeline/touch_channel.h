@@ -84,14 +84,16 @@ public:
     void clearTare();
     /// New gains of the taxels, one each; empty: 1.
     void setTaxelGain(std::vector<float> gain);
-    /// The settings in use, with a revision that grows by one when the pipeline takes new ones.
+    /// The settings in use, with a revision that grows by one when the pipeline takes new ones, and when the
+    /// temperatures of its tare become known.
     [[nodiscard]] ChannelSettings settings() const { return m_settingsInUse.get(); }
     [[nodiscard]] std::uint64_t settingsRevision() const {
         return m_revision.load(std::memory_order_acquire);
     }
 
     /// The chip that has become warmer or colder by more than TemperatureDrift::kTold_K since the tare was
-    /// taken, most of all; nothing: none has, there is no tare, or the array tells no temperatures.
+    /// taken, most of all; nothing: none has, there is no tare, the array tells no temperatures, or those of
+    /// a tare that it was opened with are not known.
     [[nodiscard]] std::optional<core::TemperatureDrift::Move> temperatureDrift() const {
         return m_driftTold.get();
     }

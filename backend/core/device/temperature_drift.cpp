@@ -7,13 +7,21 @@
 namespace teleta::core {
 
 void TemperatureDrift::restart() {
-    m_atTare.clear();
+    restart({});
+    m_given = false;
+}
+
+void TemperatureDrift::restart(std::span<const float> atTare_degC) {
+    m_atTare.assign(atTare_degC.begin(), atTare_degC.end());
+    m_given = true;
     m_largest.reset();
     m_told = false;
 }
 
 void TemperatureDrift::take(std::span<const float> values_degC) {
     if (m_atTare.size() != values_degC.size()) {
+        if (m_given)
+            return;
         restart();
         m_atTare.assign(values_degC.begin(), values_degC.end());
         return;
@@ -23,7 +31,8 @@ void TemperatureDrift::take(std::span<const float> values_degC) {
         if (!std::isfinite(values_degC[chip]))
             continue;
         if (!std::isfinite(m_atTare[chip])) {
-            m_atTare[chip] = values_degC[chip]; // the first that this chip tells
+            if (!m_given)
+                m_atTare[chip] = values_degC[chip]; // the first that this chip tells
             continue;
         }
         const double change_K = static_cast<double>(values_degC[chip]) - static_cast<double>(m_atTare[chip]);

@@ -20,12 +20,15 @@ public:
         double change_K = 0.0;
     };
 
-    /// The next temperatures are those of the tare.
+    /// The next temperatures are those of the tare; of a chip that tells none then, the first that it tells.
     void restart();
+    /// The tare was taken at these temperatures, one a chip. A chip without one that is finite says nothing;
+    /// none does where they are of another number of chips, as where there are none.
+    void restart(std::span<const float> atTare_degC);
     /// Temperatures in degrees Celsius, one a chip. One that is not finite says nothing of its chip.
     void take(std::span<const float> values_degC);
 
-    /// Of the tare; empty: not known yet.
+    /// Of the tare; empty: not known.
     [[nodiscard]] const std::vector<float>& atTare() const { return m_atTare; }
     /// Of the chip that has moved most; nothing before the second temperatures since the tare.
     [[nodiscard]] const std::optional<Move>& largest() const { return m_largest; }
@@ -33,6 +36,7 @@ public:
 
 private:
     std::vector<float> m_atTare;
+    bool m_given = false; ///< m_atTare is not taken from what the chips tell
     std::optional<Move> m_largest;
     bool m_told = false;
 };

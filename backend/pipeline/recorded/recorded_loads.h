@@ -20,8 +20,10 @@ namespace teleta::pipeline {
 
 [[nodiscard]] nlohmann::ordered_json loadsJson(const equilibration::LoadCalibration& calibration);
 
-/// The calibration of these details, for the array that they describe; nothing: they have none. Errors are
-/// the reader's: as equilibration::readLoadCalibration() has them.
+/// The calibration of these details, for the array that they describe; nothing: they have none, or the reader
+/// has an error: a member is missing or has another type; a load is not of equilibration::kLoadColumns, or a
+/// signal not of the array; one of either is listed twice; a list is not one number a load or a signal; a
+/// number is beyond 1e12 in magnitude, or a gain_se or scatter below 0; least is above greatest.
 [[nodiscard]] std::optional<FrameLoads> readLoads(core::JsonReader& reader,
                                                   const nlohmann::ordered_json& details,
                                                   const core::TaxelLayout& layout,

@@ -63,19 +63,20 @@ core::Expected<std::vector<RecordedSource>> recordedArrays(const Recording& reco
         TELETA_TRY(const auto extent, recording.extent(i));
         if (!extent)
             continue;
-        auto array = recordedArray(streams[i], recording.path());
+        TELETA_TRY(const auto temperatures, findFrames(recording, StreamKind::numbers,
+                                                       besideIt(streams[i].name, kFrames, kTemperatures), 0));
+        const std::size_t chips = temperatures ? streams[*temperatures].columns.size() : 0;
+        auto array = recordedArray(streams[i], recording.path(), chips);
         if (!array) {
             why = why.value_or(array.error());
             continue;
         }
-        TELETA_TRY(const auto temperatures, findFrames(recording, StreamKind::numbers,
-                                                       besideIt(streams[i].name, kFrames, kTemperatures), 0));
         sources.push_back({.arrayStream = i,
                            .array = std::move(*array),
                            .jointStream = {},
                            .wrenchStream = {},
                            .temperatureStream = temperatures,
-                           .chips = temperatures ? streams[*temperatures].columns.size() : 0,
+                           .chips = chips,
                            .arm = {},
                            .chain = {}});
     }

@@ -88,7 +88,7 @@ std::vector<float> readTaxels(core::JsonReader& reader, const ordered_json& json
 }
 
 ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
-                             const core::TaxelLayout& layout) {
+                             const core::TaxelLayout& layout, std::size_t chips) {
     const std::size_t taxels = layout.taxels();
     ChannelSettings settings;
     contact::ConditioningSettings& conditioning = settings.conditioning;
@@ -118,7 +118,8 @@ ChannelSettings readSettings(core::JsonReader& reader, const ordered_json& json,
         static_cast<int>(reader.number(json, "minimum_taxels", 1.0, kMostTaxels, segmentation.minimumTaxels));
     settings.loadUnit = reader.text(json, "load_unit", settings.loadUnit);
     settings.tareTemperatures_degC =
-        readNumbersOrNone(reader, json, "tare_temperatures_degc", 1, kMostChips, kColdest_degC);
+        readNumbersOrNone(reader, json, "tare_temperatures_degc", chips > 0 ? chips : 1,
+                          chips > 0 ? chips : kMostChips, kColdest_degC);
     return settings;
 }
 
@@ -365,7 +366,8 @@ std::array<double, kTouchValues> touchValues(const TouchRecord& touch) {
     return values;
 }
 
-core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream, const std::string& file) {
+core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream, const std::string& file,
+                                            std::size_t chips) {
     if (stream.kind != recording::StreamKind::array || stream.type != recording::ValueType::float32)
         return notDescribed(stream, file, RecordedStreamText::tr("it is not an array"));
     const auto document = core::JsonDocument::parse(stream.details, file);
@@ -385,7 +387,8 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     description.nominalRate_Hz = stream.nominalRate_Hz;
     description.simulated = reader.boolean(reader.root(), "simulated", false);
     description.recorded = true;
-    array.settings = readSettings(reader, reader.member(reader.root(), "settings"), description.layout);
+    array.settings =
+        readSettings(reader, reader.member(reader.root(), "settings"), description.layout, chips);
     array.loads = readLoads(reader, reader.root(), description.layout, array.settings.loadUnit);
     if (reader.error())
         return notDescribed(stream, file, *reader.error());

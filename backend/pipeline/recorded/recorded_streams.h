@@ -96,9 +96,11 @@ struct RecordedArray {
     ChannelSettings settings;
     std::optional<FrameLoads> loads; ///< nothing: its loads were not calibrated
 };
-/// file: for errors. Error: badInput, the stream's details do not say what an array is.
+/// file: for errors. chips: that tell their temperatures; 0: none, or their number is not known. Error:
+/// badInput, the stream's details do not say what an array is, or have temperatures of the tare of another
+/// number of chips.
 [[nodiscard]] core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
-                                                          const std::string& file);
+                                                          const std::string& file, std::size_t chips = 0);
 
 /// An arm as it was recorded.
 struct RecordedArm {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -97,6 +98,31 @@ TEST(PolygonModels, aRegularPolygonHasTheDistancesOfItsEdgesAndTheirSlopes) {
     }
 }
 
+TEST(PolylineModel, placesAreOfChainsOfAtMostSoManyCoordinates) {
+    // Along the x axis, vertices one apart; a point above the middle of the last edge.
+    const auto chain = [](Eigen::Index numbers) {
+        Eigen::VectorXd vertices = Eigen::VectorXd::Zero(numbers);
+        for (Eigen::Index i = 0; 2 * i < numbers; ++i)
+            vertices[2 * i] = static_cast<double>(i);
+        return vertices;
+    };
+    for (const Eigen::Index vertices : {2, 17}) {
+        const double middle = static_cast<double>(vertices) - 1.5;
+        const Points above{{middle, 0.25}, {0.25, 0.5}};
+        EXPECT_EQ(placesOnPolyline(above, chain(2 * vertices), false), (std::vector{middle, 0.25}));
+        EXPECT_EQ(waysOnPolyline(above, chain(2 * vertices), false), (std::vector{middle, 0.25}));
+    }
+    const Points points{{0.0, 0.25}, {0.25, 0.5}, {3.0, 3.0}};
+    for (const Eigen::Index numbers : {0, 1, 2, 3, 5, kMostParameters + 1, kMostParameters + 2, 400})
+        for (const bool closed : {false, true})
+            for (const std::vector<double>& none : {placesOnPolyline(points, chain(numbers), closed),
+                                                    waysOnPolyline(points, chain(numbers), closed)}) {
+                ASSERT_EQ(none.size(), points.size()) << numbers;
+                EXPECT_TRUE(std::ranges::all_of(none, [](double place) { return std::isnan(place); }))
+                    << numbers;
+            }
+}
+
 TEST(PolylineModel, itsEquationsAreThoseOfItsJacobian) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> place(-0.6, 0.6);
@@ -113,16 +139,16 @@ TEST(PolylineModel, itsEquationsAreThoseOfItsJacobian) {
                 number = place(random);
             model.evaluate(at);
             std::vector<double> weights(columns.filled(), 0.0);
-            std::vector<double> pulls(columns.filled(), 0.0);
+            std::vector<double> weightedResiduals(columns.filled(), 0.0);
             for (std::size_t i = 0; i < points.size(); ++i) {
                 weights[i] = 0.6 + place(random);
-                pulls[i] = weights[i] * at.residuals[i];
+                weightedResiduals[i] = weights[i] * at.residuals[i];
             }
             StepEquations equations;
-            model.equations(at, weights.data(), pulls.data(), equations);
+            model.equations(at, weights.data(), weightedResiduals.data(), equations);
             const Eigen::MatrixXd jacobian = model.jacobian(at);
             const Eigen::Map<const Eigen::VectorXd> w(weights.data(), jacobian.rows());
-            const Eigen::Map<const Eigen::VectorXd> wr(pulls.data(), jacobian.rows());
+            const Eigen::Map<const Eigen::VectorXd> wr(weightedResiduals.data(), jacobian.rows());
             const Eigen::MatrixXd normal = jacobian.transpose() * w.asDiagonal() * jacobian;
             const Eigen::VectorXd gradient = jacobian.transpose() * wr;
             ASSERT_EQ(equations.count, 2 * vertices);

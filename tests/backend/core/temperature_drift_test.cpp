@@ -64,5 +64,30 @@ TEST(TemperatureDrift, aChipWithoutATemperatureSaysNothing) {
     EXPECT_FALSE(drift.largest()) << "another number of chips begins anew";
 }
 
+TEST(TemperatureDrift, saysOnlyOfChipsWhoseTemperatureAtTheTareIsGiven) {
+    TemperatureDrift drift;
+    drift.restart(std::vector{20.0F, kNaN});
+    drift.take(std::vector{21.0F, 20.0F});
+    ASSERT_TRUE(drift.largest()) << "these are not those of the tare";
+    EXPECT_EQ(drift.largest()->chip, 0U);
+    EXPECT_DOUBLE_EQ(drift.largest()->change_K, 1.0);
+    drift.take(std::vector{21.0F, 40.0F});
+    EXPECT_EQ(drift.largest()->chip, 0U);
+    EXPECT_FALSE(drift.isTold());
+
+    for (const std::vector<float>& other : {std::vector<float>{}, {20.0F}, {20.0F, 20.0F, 20.0F}}) {
+        drift.restart(other);
+        drift.take(std::vector{20.0F, 20.0F});
+        drift.take(std::vector{40.0F, 40.0F});
+        EXPECT_FALSE(drift.largest()) << other.size() << " at the tare";
+        EXPECT_FALSE(drift.isTold()) << other.size() << " at the tare";
+        EXPECT_EQ(drift.atTare(), other);
+    }
+    drift.restart();
+    drift.take(std::vector{20.0F, 20.0F});
+    drift.take(std::vector{40.0F, 41.0F});
+    EXPECT_TRUE(drift.isTold()) << "of a new tare";
+}
+
 } // namespace
 } // namespace teleta::core

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,7 +47,8 @@ protected:
         auto owned = std::make_unique<WarmSource>(chips);
         m_source = owned.get();
         ChannelSettings settings;
-        settings.conditioning.tare = {1.0F, 1.0F}; // as it was measured at opening
+        settings.conditioning.tare = {1.0F, 1.0F}; // as it was measured at opening,
+        settings.tareTemperatures_degC = {25.0F, 26.0F};
         m_channel = std::make_unique<TouchChannel>(std::move(owned), std::move(settings));
     }
     void frame(double time_s, std::vector<float> values_degC) {
@@ -109,10 +112,64 @@ TEST_F(WarmChannel, aPlaybackTellsTheDriftFromTheTareThatWasRecorded) {
     frame(0.3, {28.0F, 26.0F});
     frame(0.4, {28.5F, 26.0F});
     EXPECT_EQ(m_channel->settings().tareTemperatures_degC, (std::vector<float>{28.5F, 26.0F}));
-    EXPECT_EQ(m_channel->settingsRevision(), before + 1) << "the tare";
+    EXPECT_EQ(m_channel->settingsRevision(), before + 2) << "the tare, then its temperatures";
+    frame(0.45, {28.5F, 26.0F});
+    EXPECT_EQ(m_channel->settingsRevision(), before + 2);
     m_channel->clearTare();
     frame(0.5, {28.5F, 26.0F});
     EXPECT_TRUE(m_channel->settings().tareTemperatures_degC.empty());
+}
+
+TEST_F(WarmChannel, aTareAtUnknownTemperaturesTellsNoDrift) {
+    for (const std::vector<float>& recorded :
+         {std::vector<float>{}, {25.0F}, {25.0F, 26.0F, 27.0F}}) { // none, and of another number of chips
+        auto owned = std::make_unique<WarmSource>(2);
+        WarmSource* source = owned.get();
+        ChannelSettings settings;
+        settings.conditioning.tare = {1.0F, 1.0F};
+        settings.tareTemperatures_degC = recorded;
+        TouchChannel played(std::move(owned), settings);
+        const auto play = [&](double time_s, std::vector<float> values_degC) {
+            source->push(time_s, std::move(values_degC));
+            played.process();
+        };
+        play(0.0, {20.0F, 20.0F});
+        play(0.1, {40.0F, 40.0F}); // after a seek
+        EXPECT_FALSE(played.temperatureDrift()) << recorded.size();
+        EXPECT_EQ(played.settings().tareTemperatures_degC, recorded) << "nothing is made up";
+        EXPECT_EQ(played.settingsRevision(), 0U) << recorded.size();
+
+        played.requestTare(0.05);
+        play(0.2, {40.0F, 40.0F});
+        play(0.3, {40.0F, 40.0F});
+        EXPECT_EQ(played.settings().tareTemperatures_degC, (std::vector<float>{40.0F, 40.0F}));
+        play(0.4, {40.0F, 30.0F});
+        EXPECT_TRUE(played.temperatureDrift()) << "from a tare that was taken here";
+    }
+}
+
+TEST_F(WarmChannel, theEventsOfARecordingHaveTheTemperaturesOfATareThatComeAfterIt) {
+    const teleta::test::TemporaryFolder folder;
+    auto started = teleta::recording::Recorder::start(folder.path("skin.teleta"), {});
+    ASSERT_TRUE(started) << teleta::core::describe(started.error());
+    m_channel->record(std::move(*started), "skin");
+    frame(0.0, {25.0F, 26.0F});
+    EXPECT_FALSE(m_channel->takeSettingsEvent());
+    m_channel->requestTare(0.05);
+    for (const double time_s : {0.1, 0.2}) { // frames whose temperatures are still on their way
+        m_source->ScriptedSource::push({1.0F, 2.0F}, time_s);
+        m_channel->process();
+    }
+    const auto tared = m_channel->takeSettingsEvent();
+    ASSERT_TRUE(tared);
+    EXPECT_EQ(tared->text.find("tare_temperatures_degc"), std::string::npos);
+    frame(0.3, {28.0F, 26.5F});
+    const auto known = m_channel->takeSettingsEvent();
+    ASSERT_TRUE(known);
+    EXPECT_NE(known->text.find("\"tare_temperatures_degc\":[28.0,26.5]"), std::string::npos) << known->text;
+    frame(0.4, {29.0F, 26.5F});
+    EXPECT_FALSE(m_channel->takeSettingsEvent());
+    m_channel->record(nullptr, {});
 }
 
 TEST_F(WarmChannel, aRecordingHasTheTemperatures) {

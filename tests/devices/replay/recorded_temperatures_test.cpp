@@ -7,7 +7,9 @@
 #include "tests/devices/manual_clock.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <span>
@@ -29,11 +31,12 @@ class RecordedTemperatures : public testing::Test {
 protected:
     RecordedTemperatures() { makeApplication(); }
 
-    void write(int frames, const std::string& name = "skin-temperatures") {
+    void write(int frames, const std::string& name = "skin-temperatures",
+               const pipeline::ChannelSettings& settings = {}) {
         auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
         core::SourceDescription skin;
         skin.layout = core::ArrayLayout{.rows = 2, .columns = 3, .pitchX_m = 0.01};
-        const auto array = recorder->addStream(pipeline::arrayStream("skin-frames", skin, {}));
+        const auto array = recorder->addStream(pipeline::arrayStream("skin-frames", skin, settings));
         const auto warm = recorder->addStream(pipeline::numberStream(name, skin, temperatureColumns(2)));
         for (int i = 0; i < frames; ++i) {
             const std::int64_t time_ns = kStart_ns + i * kPeriod_ns;
@@ -140,6 +143,26 @@ TEST_F(RecordedTemperatures, noneIsLostAsFastAsPossible) {
     }));
     EXPECT_EQ(m_array->temperatures().overflow(), 0U);
     m_array->stop();
+}
+
+TEST_F(RecordedTemperatures, thoseOfATareOfAnotherNumberOfChipsAreRefused) {
+    pipeline::ChannelSettings settings;
+    settings.conditioning.tare.assign(6, 0.5F);
+    for (const std::size_t atTare : {0U, 1U, 2U, 3U}) {
+        settings.tareTemperatures_degC.assign(atTare, 25.5F);
+        ASSERT_NO_FATAL_FAILURE(write(11, "skin-temperatures", settings));
+        const auto recording = Recording::open(path());
+        ASSERT_TRUE(recording);
+        const auto sources = pipeline::recordedSources(*recording);
+        EXPECT_EQ(sources.has_value(), atTare == 0 || atTare == 2) << atTare;
+        if (!sources) {
+            const std::string why = core::describe(sources.error());
+            EXPECT_EQ(sources.error().kind, core::ErrorKind::badInput);
+            EXPECT_NE(why.find("tare_temperatures_degc"), std::string::npos) << why;
+            EXPECT_NE(why.find("length 2"), std::string::npos) << why;
+        }
+        std::filesystem::remove(path());
+    }
 }
 
 TEST_F(RecordedTemperatures, thoseOfAnotherArrayAreNotItsOwn) {

@@ -2,7 +2,7 @@
 // teleta devices --latency against PipeWire: what is played on a sink that nobody hears comes back at its
 // monitor, directly and through a line that is known to delay it. Runs in with_sound_session.sh.
 #include "tests/backend/core/temporary_folder.h"
-#include "tests/peer/sound/delay_line.h"
+#include "tests/peer/sound/sample_delay.h"
 #include "tests/peer/sound/sound_server.h"
 
 #include <QProcess>
@@ -82,7 +82,7 @@ TEST_F(SoundLatencyPeer, aLineThatDelaysBySoMuchAddsSoMuch) {
     ASSERT_EQ(direct.code, 0);
     EXPECT_GT(direct.value("latency"), 0.0);
     EXPECT_GE(direct.value("latency_spread"), 0.0);
-    DelayLine line(kDelay);
+    SampleDelay line(kDelay);
     ASSERT_TRUE(line.start(sound::pipeWireLibraries().front(), "tactors:monitor_AUX0", kPeriod));
     const Run delayed = heard("delay:out");
     ASSERT_EQ(delayed.code, 0);
@@ -105,6 +105,7 @@ TEST_F(SoundLatencyPeer, whatTheFileHasOfItIsToldAsMeasured) {
     const Run run = measure({}, "latency_ms = 7.5\nlatency_spread_ms = 1.25\n");
     ASSERT_EQ(run.code, 0) << run.errors;
     EXPECT_DOUBLE_EQ(run.value("measured_latency"), 0.0075);
+    EXPECT_DOUBLE_EQ(run.value("measured_latency_spread"), 0.00125);
     EXPECT_GT(run.value("stated_latency"), 0.0);
 }
 

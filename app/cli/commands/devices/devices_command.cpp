@@ -156,6 +156,8 @@ core::Expected<FoundDevice> probeSound(const std::string& path, const std::strin
         }
     } else if (std::isfinite(description.measuredLatency_s)) {
         found.values.push_back({"measured_latency", description.measuredLatency_s, "s"});
+        if (std::isfinite(description.latencySpread_s))
+            found.values.push_back({"measured_latency_spread", description.latencySpread_s, "s"});
     }
     if (const auto& sound = bracelet.telemetry().board.sound) {
         found.values.push_back({"callback_share", sound->meanShare, "1"});

@@ -158,10 +158,12 @@ void postFor(playback::Player& player, double duration_s) {
 }
 
 nlohmann::ordered_json toJson(const core::SoundReport& sound, const core::BraceletDescription& bracelet) {
+    const auto orNull = [](double value) {
+        return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+    };
     return {{"stated_latency_s", bracelet.statedLatency_s},
-            {"measured_latency_s", std::isfinite(bracelet.measuredLatency_s)
-                                       ? nlohmann::ordered_json(bracelet.measuredLatency_s)
-                                       : nlohmann::ordered_json(nullptr)},
+            {"measured_latency_s", orNull(bracelet.measuredLatency_s)},
+            {"measured_latency_spread_s", orNull(bracelet.latencySpread_s)},
             {"callback_mean_share", sound.meanShare},
             {"callback_longest_share", sound.longestShare},
             {"missed_periods", sound.missedPeriods}};

@@ -51,9 +51,7 @@ bool comes(double longest_s, const Condition& condition) {
 } // namespace
 
 double SoundLatency::median_s() const {
-    std::vector<double> sorted = clicks_s;
-    std::ranges::sort(sorted);
-    return core::quantileOf(sorted, 0.5);
+    return core::medianOf(std::vector(clicks_s));
 }
 
 double SoundLatency::spread_s() const {

@@ -140,6 +140,10 @@ protected:
             const_cast<core::BraceletSource&>(m_station->session()->source()));
         return dynamic_cast<simulated::SimulatedBracelet&>(tapped.bracelet());
     }
+    /// The bracelet is as one whose latency was measured; NaN: nobody did.
+    void setLatency(double latency_s) {
+        const_cast<core::BraceletDescription&>(bracelet().description()).measuredLatency_s = latency_s;
+    }
     [[nodiscard]] std::vector<study::StoredTrial> kept(std::size_t participant = 0, std::size_t session = 0) {
         const auto store = study::StudyStore::open(studyFolder().toStdString());
         if (!store)

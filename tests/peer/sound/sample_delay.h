@@ -12,16 +12,16 @@ namespace teleta::peer {
 
 /// A client with an input and an output, "delay:in" and "delay:out": what comes goes out so many samples
 /// later. Thread: one; the library calls back from its own.
-class DelayLine {
+class SampleDelay {
 public:
-    explicit DelayLine(std::size_t samples)
+    explicit SampleDelay(std::size_t samples)
         : m_ring(samples) {}
-    ~DelayLine() {
+    ~SampleDelay() {
         if (m_client != nullptr)
             m_jack.clientClose(m_client);
     }
-    DelayLine(const DelayLine&) = delete;
-    DelayLine& operator=(const DelayLine&) = delete;
+    SampleDelay(const SampleDelay&) = delete;
+    SampleDelay& operator=(const SampleDelay&) = delete;
 
     /// source: the port that is delayed. False: it cannot.
     [[nodiscard]] bool start(const std::string& library, const std::string& source,
@@ -43,7 +43,7 @@ public:
 
 private:
     static int process(std::uint32_t frames, void* self) {
-        auto& line = *static_cast<DelayLine*>(self);
+        auto& line = *static_cast<SampleDelay*>(self);
         const auto* const in = static_cast<const float*>(line.m_jack.portBuffer(line.m_in, frames));
         auto* const out = static_cast<float*>(line.m_jack.portBuffer(line.m_out, frames));
         for (std::uint32_t i = 0; i < frames; ++i) {
