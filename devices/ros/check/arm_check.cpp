@@ -166,8 +166,8 @@ void findFrames(Findings& findings, const arm_model::SerialChain& chain, const F
     if (seen.compared == 0)
         return findings.note("frames", ArmCheckText::tr("/tf has no pose of the time of a joint sample"));
     const QString apart = ArmCheckText::tr("%1 mm and %2° off at most")
-                              .arg(shortNumber(1e3 * seen.farthest_m),
-                                   shortNumber(seen.largestTurn_rad * 180.0 / std::numbers::pi));
+                              .arg(QString::number(1e3 * seen.farthest_m, 'f', 2),
+                                   QString::number(seen.largestTurn_rad * 180.0 / std::numbers::pi, 'f', 2));
     if (seen.farthest_m <= kSamePlace_m && seen.largestTurn_rad <= kSameTurn_rad)
         return findings.good("frames", ArmCheckText::tr("the tip is where /tf has it: %1").arg(apart));
     const QString off = ArmCheckText::tr("the tip is not where /tf has it: %1").arg(apart);

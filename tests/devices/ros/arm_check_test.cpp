@@ -176,12 +176,12 @@ TEST(ArmCheck, aTipThatIsNotWhereTheRobotHasItBelongsToAnotherDescription) {
     EXPECT_EQ(texts(FindingLevel::note), "/tf has no pose of the time of a joint sample;");
     seen.frames.compared = 90;
     seen.frames.farthest_m = 0.0002;
-    EXPECT_EQ(texts(FindingLevel::good), "the tip is where /tf has it: 0.2 mm and 0° off at most;");
+    EXPECT_EQ(texts(FindingLevel::good), "the tip is where /tf has it: 0.20 mm and 0.00° off at most;");
     seen.frames.farthest_m = 0.004;
-    EXPECT_EQ(texts(FindingLevel::note), "the tip is not where /tf has it: 4 mm and 0° off at most;");
+    EXPECT_EQ(texts(FindingLevel::note), "the tip is not where /tf has it: 4.00 mm and 0.00° off at most;");
     seen.frames.largestTurn_rad = 0.1;
     EXPECT_EQ(texts(FindingLevel::problem),
-              "the tip is not where /tf has it: 4 mm and 5.73° off at most; the "
+              "the tip is not where /tf has it: 4.00 mm and 5.73° off at most; the "
               "description is another robot's, or a joint has another zero;");
 }
 
