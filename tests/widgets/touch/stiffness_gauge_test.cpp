@@ -183,7 +183,7 @@ private slots:
             QVERIFY(gauge.accessibleDescription().contains(said));
             reasons << said;
         }
-        QCOMPARE(reasons.size(), 10);
+        QCOMPARE(reasons.size(), 11);
     }
 
     void aRefusalTakesTheOldEstimateAway() {
