@@ -19,6 +19,7 @@ TEST(DdsDomain, usesNoMulticastAndLooksOnThisComputer) {
     EXPECT_TRUE(holds(xml, "<NetworkInterface name=\"lo\"/>")) << xml;
     EXPECT_TRUE(holds(xml, "<Peers><Peer Address=\"127.0.0.1\"/></Peers>")) << xml;
     EXPECT_FALSE(holds(xml, "FragmentSize")) << xml;
+    EXPECT_TRUE(holds(xml, "<ReceiveBufferSize>256KiB</ReceiveBufferSize>")) << xml;
 }
 
 TEST(DdsDomain, keepsPacketsWholeOnNetworks) {
