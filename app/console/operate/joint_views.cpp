@@ -5,6 +5,7 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/touch/skin_touches.h"
 #include "widgets/base/background.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/view3d/robot/robot_shape.h"
@@ -166,8 +167,11 @@ void JointViews::tick() {
         core::JointSample sample;
         while (m_arm->popSample(sample))
             m_samples.push_back(sample);
-        if (!m_samples.empty())
+        if (!m_samples.empty()) {
+            if (m_sample_ns == 0 && !pipeline::tellsTorques(m_samples.back()))
+                m_chart->setAnglesShown(true); // there is nothing else to show
             show(m_samples.back());
+        }
         m_chart->append(m_samples);
         followTip();
         showScenery();

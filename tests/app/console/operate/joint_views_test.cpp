@@ -107,6 +107,29 @@ struct Desk {
     charts::JointChartView* chart = nullptr;
 };
 
+/// The arm with a pad, in the views of a desk, whose chart shows torques alone.
+struct ArmWithPad {
+    explicit ArmWithPad(Desk& desk)
+        : arm(new BareArm(*desk.chain)) {
+        auto made = pipeline::ArmChannel::withPad(
+            std::unique_ptr<core::ArmSource>(arm),
+            std::make_shared<pipeline::TouchChannel>(std::unique_ptr<core::TactileSource>(array),
+                                                     pipeline::ChannelSettings{}),
+            desk.chain, pad);
+        if (!made)
+            return;
+        channel = *made;
+        desk.chart->setAnglesShown(false);
+        desk.docks.setKind(OperateDocks::Kind::arm);
+        desk.views.setArm(channel, base::Provenance::live);
+    }
+    core::PadPlacement pad = test::padOnLinkFive();
+    BareArm* arm; // both are owned by the channel
+    test::ScriptedSource* array =
+        new test::ScriptedSource(core::ArrayLayout{.rows = 9, .columns = 9, .pitchX_m = 0.005});
+    std::shared_ptr<pipeline::ArmChannel> channel;
+};
+
 } // namespace
 
 /// An arm without a tactile skin: its joints are shown, drawn and moved.
@@ -129,38 +152,51 @@ private slots:
 
     void aPadIsDrawnOnItsLinkAndItsTouchesAreShown() {
         Desk desk;
-        auto* arm = new BareArm(*desk.chain); // owned by the channel
-        auto* array = new test::ScriptedSource(core::ArrayLayout{.rows = 9, .columns = 9, .pitchX_m = 0.005});
-        const core::PadPlacement pad = test::padOnLinkFive();
-        auto made = pipeline::ArmChannel::withPad(
-            std::unique_ptr<core::ArmSource>(arm),
-            std::make_shared<pipeline::TouchChannel>(std::unique_ptr<core::TactileSource>(array),
-                                                     pipeline::ChannelSettings{}),
-            desk.chain, pad);
-        QVERIFY2(made.has_value(), made ? "" : core::describe(made.error()).c_str());
-        desk.docks.setKind(OperateDocks::Kind::arm);
-        desk.views.setArm(*made, base::Provenance::live);
-        QCOMPARE(desk.views.arm(), *made);
+        const ArmWithPad made(desk);
+        QVERIFY(made.channel != nullptr);
+        QCOMPARE(desk.views.arm(), made.channel);
         const JointVector q{0.3, -0.7, 0.2, 1.1, -0.4, 0.8, 0.5};
         core::JointSample sample;
         sample.time_ns = core::steadyNow_ns();
         sample.sourceTime_s = 1e-9 * static_cast<double>(sample.time_ns);
         sample.angle_rad = sample.reference_rad = q;
         sample.torque_Nm = JointVector::zeros(7);
-        (void)arm->push(sample);
+        (void)made.arm->push(sample);
         std::vector<float> frame(81, 0.0F);
         frame[3 * 9 + 6] = 2.0F; // the fourth row, the seventh column
-        (void)array->push(frame, sample.sourceTime_s);
-        (void)(*made)->process();
+        (void)made.array->push(frame, sample.sourceTime_s);
+        (void)made.channel->process();
         desk.views.tick();
-        const std::size_t link = *desk.chain->model().findLink(pad.link);
-        const Eigen::Isometry3d X_Base_Pad = desk.chain->linkPoses(q)[link] * pipeline::X_Link_Sensor(pad);
+        const std::size_t link = *desk.chain->model().findLink(made.pad.link);
+        const Eigen::Isometry3d X_Base_Pad =
+            desk.chain->linkPoses(q)[link] * pipeline::X_Link_Sensor(made.pad);
         QVERIFY(desk.scene->sensorPose().isApprox(X_Base_Pad, 1e-9));
         QVERIFY(!desk.scene->armBox_m().isEmpty());
-        const auto& contact = (*made)->snapshot().contact;
+        const auto& contact = made.channel->snapshot().contact;
         QVERIFY(contact.has_value());
         QVERIFY((contact->p_Base_Contact_m - X_Base_Pad * Eigen::Vector3d(0.010, -0.005, 0.0)).norm() < 1e-9);
         QVERIFY2(desk.jog->refusal().isEmpty(), qPrintable(desk.jog->refusal()));
+        QVERIFY(!desk.chart->findChild<QAction*>("angles")->isChecked());
+    }
+
+    void theAnglesOfAnArmWithAPadAreShownWhereItTellsNoTorques() {
+        Desk desk;
+        const ArmWithPad made(desk);
+        QVERIFY(made.channel != nullptr);
+        core::JointSample sample;
+        sample.time_ns = core::steadyNow_ns();
+        sample.angle_rad = sample.reference_rad = JointVector::zeros(7);
+        (void)made.arm->push(sample);
+        (void)made.channel->process();
+        desk.views.tick();
+        auto* angles = desk.chart->findChild<QAction*>("angles");
+        QVERIFY(angles->isChecked());
+        angles->trigger(); // what somebody chooses stays
+        sample.time_ns = core::steadyNow_ns();
+        (void)made.arm->push(sample);
+        (void)made.channel->process();
+        desk.views.tick();
+        QVERIFY(!angles->isChecked());
     }
 
     void theArmIsDrawnWhereItsJointsAre() {
