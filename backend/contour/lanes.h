@@ -14,6 +14,12 @@ using Lanes [[gnu::vector_size(8 * kLanes)]] = double;
     std::memcpy(&lanes, from, sizeof(lanes));
 }
 
+/// The numbers less an origin.
+[[gnu::always_inline]] inline void load(Lanes& lanes, const double* from, double origin) {
+    load(lanes, from);
+    lanes -= origin;
+}
+
 [[gnu::always_inline]] inline void store(double* to, const Lanes& lanes) {
     std::memcpy(to, &lanes, sizeof(lanes));
 }

@@ -106,12 +106,9 @@ public:
         const double heightSide = at.parameters[4] < 0.0 ? -1.0 : 1.0;
         doInLanes([&]() __attribute__((always_inline)) {
             for (std::size_t i = 0; i < p.filled(); i += kLanes) {
-                Lanes x;
-                load(x, p.x.data() + i);
-                x -= at.parameters[0];
-                Lanes y;
-                load(y, p.y.data() + i);
-                y -= at.parameters[1];
+                Lanes x, y;
+                load(x, p.x.data() + i, at.parameters[0]);
+                load(y, p.y.data() + i, at.parameters[1]);
                 const Lanes u = c * x + s * y;
                 const Lanes v = c * y - s * x;
                 const Lanes zero{};
@@ -169,12 +166,9 @@ public:
         }
         doInLanes([&]() __attribute__((always_inline)) {
             for (std::size_t i = 0; i < p.filled(); i += kLanes) {
-                Lanes x;
-                load(x, p.x.data() + i);
-                x -= at.parameters[0];
-                Lanes y;
-                load(y, p.y.data() + i);
-                y -= at.parameters[1];
+                Lanes x, y;
+                load(x, p.x.data() + i, at.parameters[0]);
+                load(y, p.y.data() + i, at.parameters[1]);
                 Lanes c = normals[0][0] - Lanes{};
                 Lanes s = normals[0][1] - Lanes{};
                 Lanes across = c * x + s * y;
