@@ -11339,8 +11339,8 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>SoundLatency</name>
     <message>
-        <source>Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.</source>
-        <translation>Seuls %1 clics sur %2 ont été entendus sur %3, dont le bruit atteint %4 de la pleine échelle.</translation>
+        <source>only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale</source>
+        <translation>seuls %1 clics sur %2 ont été entendus sur %3, dont le bruit atteint %4 de la pleine échelle</translation>
     </message>
     <message>
         <source>an accelerometer at tactor 1, or a cable from its output to this input</source>

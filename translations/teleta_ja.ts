@@ -11312,8 +11312,8 @@ Run teleta-site --help for more.
 <context>
     <name>SoundLatency</name>
     <message>
-        <source>Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.</source>
-        <translation>%3で聞こえたクリックは%2回のうち%1回だけです。この入力の雑音はフルスケールの%4に達します。</translation>
+        <source>only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale</source>
+        <translation>%3で聞こえたクリックは%2回のうち%1回だけです。この入力の雑音はフルスケールの%4に達します</translation>
     </message>
     <message>
         <source>an accelerometer at tactor 1, or a cable from its output to this input</source>

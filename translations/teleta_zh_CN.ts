@@ -11312,8 +11312,8 @@ Run teleta-site --help for more.
 <context>
     <name>SoundLatency</name>
     <message>
-        <source>Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.</source>
-        <translation>在 %3 上只听到 %2 次咔嗒声中的 %1 次，其噪声达到满量程的 %4。</translation>
+        <source>only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale</source>
+        <translation>在 %3 上只听到 %2 次咔嗒声中的 %1 次，其噪声达到满量程的 %4</translation>
     </message>
     <message>
         <source>an accelerometer at tactor 1, or a cable from its output to this input</source>

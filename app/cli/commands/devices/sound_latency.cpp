@@ -95,7 +95,7 @@ core::Expected<SoundLatency> measureSoundLatency(const sound::SoundBraceletFile&
     if (std::ssize(latency.clicks_s) < kClicks)
         return core::failed(
             core::ErrorKind::unavailable,
-            LatencyText::tr("Only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale.")
+            LatencyText::tr("only %1 of %2 clicks were heard on %3, whose noise reaches %4 of full scale")
                 .arg(latency.clicks_s.size())
                 .arg(kClicks)
                 .arg(QString::fromStdString(port))
