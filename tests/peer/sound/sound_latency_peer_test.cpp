@@ -95,7 +95,7 @@ TEST_F(SoundLatencyPeer, aLineThatDelaysBySoMuchAddsSoMuch) {
 TEST_F(SoundLatencyPeer, anInputAtWhichNothingIsHeardIsRefusedWithItsNoise) {
     const Run silent = measure("tactors:monitor_AUX5"); // of tactor 6
     EXPECT_NE(silent.code, 0);
-    EXPECT_NE(silent.errors.find("Only 0 of 10 clicks"), std::string::npos) << silent.errors;
+    EXPECT_NE(silent.errors.find("only 0 of 10 clicks"), std::string::npos) << silent.errors;
     const Run missing = measure("tactors:nothing");
     EXPECT_NE(missing.code, 0);
     EXPECT_NE(missing.errors.find("tactors:monitor_AUX0"), std::string::npos) << missing.errors;
