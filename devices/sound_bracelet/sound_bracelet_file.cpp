@@ -159,10 +159,10 @@ void SoundBraceletFile::describeKeys(core::Keys& keys) {
     describeChannels(keys, *this);
     describeFrequencies(keys, *this);
     describeStrength(keys, *this);
-    keys.number(
-        "latency_ms", latency_ms, NumberRange::between(0.0, kLongestLatency_ms),
-        "From a frame to what it moves, as `teleta devices --probe FILE --latency INPUT` measured it; "
-        "the onset of stimuli counts from there");
+    keys.number("latency_ms", latency_ms, NumberRange::between(0.0, kLongestLatency_ms),
+                "From a frame to the movement that it causes, as `teleta devices --probe FILE --latency "
+                "INPUT` measured it; "
+                "the onset of stimuli counts from there");
     keys.number("latency_spread_ms", latencySpread_ms, NumberRange::between(0.0, kLongestLatency_ms),
                 "How much it varied in that measurement, from the shortest to the longest");
     if (latencySpread_ms && !latency_ms)
