@@ -10,5 +10,8 @@ namespace teleta::opencv {
 /// decoded, since a few bytes can claim any size. Thread: any (pure). Source: PNG specification, third
 /// edition; ITU-T T.81, annex B.
 [[nodiscard]] bool isPicture(std::string_view bytes, std::size_t mostPixels);
+/// Whether they begin as one with colours; false for grey levels, and for what begins as no picture. Thread:
+/// any (pure).
+[[nodiscard]] bool isColourPicture(std::string_view bytes);
 
 } // namespace teleta::opencv

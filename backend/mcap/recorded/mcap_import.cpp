@@ -9,6 +9,7 @@
 #include "backend/mcap/recorded/ros_names.h"
 #include "backend/opencv/opencv_parts.h"
 #include "backend/pipeline/recorded/recorded_layout.h"
+#include "backend/pipeline/recorded/recorded_scene_camera.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/new_recording.h"
 #include "backend/recording/recording_writer.h"
@@ -94,9 +95,11 @@ StreamInfo infoOf(TopicRole role, const DecodedMessage& first,
         description.unit = first.points.components == core::TaxelLayout::kVector ? "N" : "";
         return pipeline::arrayStream(std::string(), description, pipeline::ChannelSettings());
     }
+    case TopicRole::colourImage:
+    case TopicRole::colourPicture:
+        return pipeline::sceneCameraStream({}, {});
     case TopicRole::cameraImage:
     case TopicRole::cameraPicture:
-    case TopicRole::colourPicture:
         info.kind = StreamKind::camera;
         info.type = ValueType::grey8;
         info.shape = first.shape;
@@ -162,7 +165,8 @@ public:
             const auto wanted = options.topics.find(channel.topic);
             const bool isWanted = wanted != options.topics.end();
             topic.role = roleOf(channel, schema, isWanted ? std::optional(wanted->second) : std::nullopt);
-            topic.isImageOpen = topic.role == TopicRole::arrayImage && !isWanted;
+            topic.isImageOpen =
+                !isWanted && (topic.role == TopicRole::arrayImage || topic.role == TopicRole::cameraPicture);
             topic.isCloudOpen = topic.role == TopicRole::points;
             if (isWanted && !topic.role)
                 return core::failed(core::ErrorKind::refused,
@@ -306,7 +310,7 @@ private:
         if (!topic.role)
             return;
         if (std::exchange(topic.isImageOpen, false))
-            topic.role = imageRoleOf(message.data);
+            topic.role = imageRoleOf(*topic.role, message.data);
         if (topic.isCloudOpen) {
             const std::optional<bool> isOfTaxels = isCloudOfTaxels(message.data);
             topic.isCloudOpen = !isOfTaxels;

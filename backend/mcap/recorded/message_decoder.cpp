@@ -3,8 +3,9 @@
 
 #include "backend/core/words.h"
 #include "backend/mcap/cdr_reader.h"
-#include "backend/mcap/recorded/picture_decoder.h"
 #include "backend/mcap/ros_schemas.h"
+#include "backend/opencv/coded_picture.h"
+#include "backend/picture/raw_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -67,44 +68,54 @@ std::size_t bytesOfPixel(std::string_view encoding) {
     return encoding == "mono8" || encoding == "8UC1" ? sizeof(std::uint8_t) : 0;
 }
 
+bool takePicture(core::Expected<core::GreyImage> image, DecodedMessage& decoded) {
+    if (!image)
+        return false;
+    decoded.image = std::move(*image);
+    decoded.shape = {static_cast<std::size_t>(decoded.image.height_px),
+                     static_cast<std::size_t>(decoded.image.width_px)};
+    return true;
+}
+
+core::Expected<core::GreyImage> bytesOf(const core::Expected<core::ColourImage>& image) {
+    TELETA_CHECK(image);
+    return core::bytesOf(*image);
+}
+
 bool decodeImage(TopicRole role, CdrReader& cdr, DecodedMessage& decoded) {
     if (!readHeader(cdr, decoded))
         return false;
     const std::size_t rows = cdr.number<std::uint32_t>();
     const std::size_t columns = cdr.number<std::uint32_t>();
-    const std::size_t size = bytesOfPixel(cdr.text());
+    const std::string_view encoding = cdr.text();
     const bool swaps = cdr.number<std::uint8_t>() != 0;
     const std::size_t step = cdr.number<std::uint32_t>();
     const std::string_view data = cdr.byteSequence();
-    const bool isCamera = role == TopicRole::cameraImage;
-    if (cdr.failed() || size == 0 || rows == 0 || columns == 0 || columns > step / size ||
-        rows > data.size() / step || (!isCamera && !isShapeOfArray(rows, columns)))
+    if (cdr.failed())
+        return false;
+    if (role != TopicRole::arrayImage) {
+        const picture::RawPicture raw{
+            .encoding = encoding == "16UC1" ? "mono16" : encoding,
+            .width_px = columns,
+            .height_px = rows,
+            .rowBytes = step,
+            .isBigEndian = swaps,
+            .data = {reinterpret_cast<const std::uint8_t*>(data.data()), data.size()}};
+        return takePicture(
+            role == TopicRole::colourImage ? bytesOf(picture::colourOf(raw)) : picture::greyOf(raw), decoded);
+    }
+    const std::size_t size = bytesOfPixel(encoding);
+    if (size == 0 || !isShapeOfArray(rows, columns) || columns > step / size || rows > data.size() / step)
         return false;
     decoded.shape = {rows, columns};
-    if (!isCamera) {
-        decoded.floats.reserve(rows * columns);
-        const auto take = [&](auto pixel) { decoded.floats.push_back(static_cast<float>(pixel)); };
-        if (size == sizeof(float))
-            forEachPixel<float>(data, rows, columns, step, swaps, take);
-        else if (size == sizeof(std::uint16_t))
-            forEachPixel<std::uint16_t>(data, rows, columns, step, swaps, take);
-        else
-            forEachPixel<std::uint8_t>(data, rows, columns, step, swaps, take);
-        return true;
-    }
-    if (size == sizeof(float) || rows * columns > kMostPixels)
-        return false;
-    std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[rows * columns]);
-    std::uint8_t* next = pixels.get();
-    if (size == 1)
-        forEachPixel<std::uint8_t>(data, rows, columns, step, swaps,
-                                   [&](std::uint8_t pixel) { *next++ = pixel; });
+    decoded.floats.reserve(rows * columns);
+    const auto take = [&](auto pixel) { decoded.floats.push_back(static_cast<float>(pixel)); };
+    if (size == sizeof(float))
+        forEachPixel<float>(data, rows, columns, step, swaps, take);
+    else if (size == sizeof(std::uint16_t))
+        forEachPixel<std::uint16_t>(data, rows, columns, step, swaps, take);
     else
-        forEachPixel<std::uint16_t>(data, rows, columns, step, swaps, [&](std::uint16_t pixel) {
-            *next++ = static_cast<std::uint8_t>(pixel >> 8U);
-        });
-    decoded.image = {std::shared_ptr<const std::uint8_t>(pixels, pixels.get()), static_cast<int>(columns),
-                     static_cast<int>(rows)};
+        forEachPixel<std::uint8_t>(data, rows, columns, step, swaps, take);
     return true;
 }
 
@@ -112,20 +123,17 @@ bool decodeCompressed(TopicRole role, CdrReader& cdr, DecodedMessage& decoded) {
     if (!readHeader(cdr, decoded))
         return false;
     (void)cdr.text(); // the bytes say better what they are
-    const bool isColour = role == TopicRole::colourPicture;
-    auto image = decodePicture(cdr.byteSequence(), isColour ? PngPixel::colour : PngPixel::grey);
-    if (cdr.failed() || !image)
+    const std::string_view bytes = cdr.byteSequence();
+    if (cdr.failed() || !takePicture(role == TopicRole::colourPicture ? bytesOf(picture::colourOfCoded(bytes))
+                                                                      : picture::greyOfCoded(bytes),
+                                     decoded))
         return false;
-    const auto rows = static_cast<std::size_t>(image->height_px);
-    const auto columns = static_cast<std::size_t>(image->width_px);
-    decoded.shape = {rows, columns};
-    if (isColour || role == TopicRole::cameraPicture) {
-        decoded.image = std::move(*image);
+    if (role != TopicRole::arrayPicture)
         return true;
-    }
-    if (!isShapeOfArray(rows, columns))
+    const core::GreyImage image = std::exchange(decoded.image, {});
+    if (!isShapeOfArray(decoded.shape[0], decoded.shape[1]))
         return false;
-    decoded.floats.assign(image->pixels.get(), image->pixels.get() + rows * columns);
+    decoded.floats.assign(image.pixels.get(), image.pixels.get() + decoded.shape[0] * decoded.shape[1]);
     return true;
 }
 
@@ -311,13 +319,20 @@ std::optional<bool> isCloudOfTaxels(std::string_view message) {
     return readHeader(cdr, decoded) ? hasTaxelFields(cdr) : std::nullopt;
 }
 
-TopicRole imageRoleOf(std::string_view message) {
+TopicRole imageRoleOf(TopicRole role, std::string_view message) {
     CdrReader cdr(message);
     DecodedMessage head;
     (void)readHeader(cdr, head);
+    if (role == TopicRole::cameraPicture) {
+        (void)cdr.text();
+        return opencv::isColourPicture(cdr.byteSequence()) ? TopicRole::colourPicture : role;
+    }
     (void)cdr.number<std::uint32_t>();
     (void)cdr.number<std::uint32_t>();
-    return bytesOfPixel(cdr.text()) == 1 ? TopicRole::cameraImage : TopicRole::arrayImage;
+    const std::string_view encoding = cdr.text();
+    if (picture::hasColours(encoding))
+        return TopicRole::colourImage;
+    return bytesOfPixel(encoding) == 1 ? TopicRole::cameraImage : TopicRole::arrayImage;
 }
 
 bool decodeMessage(TopicRole role, std::string_view message, std::size_t columns, DecodedMessage& decoded) {
@@ -326,6 +341,7 @@ bool decodeMessage(TopicRole role, std::string_view message, std::size_t columns
     switch (role) {
     case TopicRole::arrayImage:
     case TopicRole::cameraImage:
+    case TopicRole::colourImage:
         return decodeImage(role, cdr, decoded);
     case TopicRole::arrayPicture:
     case TopicRole::cameraPicture:

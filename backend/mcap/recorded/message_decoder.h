@@ -19,9 +19,10 @@ namespace teleta::mcap {
 enum class TopicRole {
     arrayImage,   ///< sensor_msgs/Image
     cameraImage,  ///< the same
+    colourImage,  ///< the same, of a scene camera
     arrayPicture, ///< sensor_msgs/CompressedImage
     cameraPicture,
-    colourPicture, ///< the same, of a stream in colour
+    colourPicture, ///< the same, of a scene camera
     tactileArray,
     multiArray, ///< std_msgs/Float32MultiArray of two dimensions
     points,     ///< sensor_msgs/PointCloud2 of taxels
@@ -41,8 +42,8 @@ enum class TopicKind { array, camera, joints };
 [[nodiscard]] std::optional<TopicKind> topicKindOf(std::string_view word);
 
 /// What a topic of this type is read as; empty: it cannot be read. wanted: as a person chose, if one did;
-/// otherwise an Image is an array until imageRoleOf() tells. schema: null when there is none. Thread: any
-/// (pure).
+/// otherwise an Image is an array, and a CompressedImage a camera, until imageRoleOf() tells. schema: null
+/// when there is none. Thread: any (pure).
 [[nodiscard]] std::optional<TopicRole> roleOf(const Channel& channel, const Schema* schema,
                                               std::optional<TopicKind> wanted);
 
@@ -50,8 +51,10 @@ enum class TopicKind { array, camera, joints };
 /// (pure).
 [[nodiscard]] std::optional<bool> isCloudOfTaxels(std::string_view message);
 
-/// What an Image is read as by its first message: pictures of 8 bits are a camera's. Thread: any (pure).
-[[nodiscard]] TopicRole imageRoleOf(std::string_view message);
+/// What an Image or a CompressedImage is read as by its first message: pictures in colour are a scene
+/// camera's, grey ones of 8 bits a camera's, and values of more bits an array's. role: of its type. Thread:
+/// any (pure).
+[[nodiscard]] TopicRole imageRoleOf(TopicRole role, std::string_view message);
 
 /// One message, decoded.
 struct DecodedMessage {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/recorded/recorded_scene_camera.h"
+#include "backend/recording/stream_columns.h"
 #include "tests/backend/mcap/mcap_recordings.h"
 
 using namespace teleta;
@@ -141,6 +143,78 @@ TEST_F(McapForeign, plainGreyImagesAreACameraUnlessAPersonSaysOtherwise) {
     const auto unknown = importedFrom(file, {.topics = {{"/nose", TopicKind::array}}});
     ASSERT_FALSE(unknown);
     EXPECT_NE(unknown.error().expected.find("/eye"), std::string::npos);
+}
+
+/// Red, green, blue of two pixels, in the order of the encoding.
+TEST_F(McapForeign, picturesInColourAreASceneCameraInEachOrder) {
+    using Colour = std::array<std::uint8_t, 3>;
+    for (const bool isBgr : {false, true}) {
+        const auto recording = importedFrom(
+            foreign("sensor_msgs/msg/Image", "/look/image_raw", 3, [&](int i, std::string& bytes) {
+                Colour first{250, 20, static_cast<std::uint8_t>(i)};
+                Colour second{1, 2, 3};
+                if (isBgr) {
+                    std::swap(first[0], first[2]);
+                    std::swap(second[0], second[2]);
+                }
+                image<Colour>(bytes, 1, 2, isBgr ? "bgr8" : "rgb8", {first, second});
+            }));
+        ASSERT_TRUE(recording) << core::describe(recording.error());
+        ASSERT_EQ(recording->streams().size(), 1U);
+        EXPECT_EQ(recording->streams()[0].kind, StreamKind::camera);
+        EXPECT_TRUE(recording::isColour(recording->streams()[0]));
+        EXPECT_EQ(contentOf(*recording, 0).pictures.at(2), (std::vector<std::uint8_t>{250, 20, 2, 1, 2, 3}));
+        std::optional<core::Error> why;
+        const auto cameras = pipeline::recordedSceneCameras(*recording, why);
+        ASSERT_TRUE(cameras) << core::describe(cameras.error());
+        EXPECT_EQ(cameras->size(), 1U) << "the dock Scene shows it";
+        EXPECT_FALSE(why);
+    }
+}
+
+TEST_F(McapForeign, codedPicturesInColourAreASceneCameraUnlessAPersonSaysOtherwise) {
+    const auto write = [](bool isColour) {
+        return [isColour](int, std::string& bytes) {
+            CdrWriter cdr(bytes);
+            header(cdr);
+            cdr.text("png");
+            const auto png = mcap::encodePng(pictureAt(0, 100, 6).image, 1,
+                                             isColour ? mcap::PngPixel::colour : mcap::PngPixel::grey);
+            cdr.byteSequence({png.data(), png.size()});
+        };
+    };
+    const std::string type = "sensor_msgs/msg/CompressedImage";
+    auto recording = importedFrom(foreign(type, "/look", 2, write(true)));
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_TRUE(recording::isColour(recording->streams().at(0)));
+    const auto bytes = contentOf(*recording, 0).pictures.at(1);
+    const core::GreyImage wanted = pictureAt(0, 100, 6).image;
+    EXPECT_EQ(bytes, std::vector<std::uint8_t>(wanted.pixels.get(), wanted.pixels.get() + bytes.size()));
+
+    recording =
+        importedFrom(foreign(type, "/look", 2, write(true)), {.topics = {{"/look", TopicKind::camera}}});
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_FALSE(recording::isColour(recording->streams().at(0)));
+    EXPECT_EQ(contentOf(*recording, 0).pictures.at(1).size(), bytes.size() / 3);
+
+    recording = importedFrom(foreign(type, "/look", 2, write(false)));
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_FALSE(recording::isColour(recording->streams().at(0)));
+}
+
+/// ITU-R BT.601: Y = 0.299 R + 0.587 G + 0.114 B.
+TEST_F(McapForeign, aPictureInColourIsReadInGreyWhereAPersonSaysSo) {
+    using Colour = std::array<std::uint8_t, 3>;
+    const auto recording = importedFrom(
+        foreign(
+            "sensor_msgs/msg/Image", "/tube", 1,
+            [](int, std::string& bytes) {
+                image<Colour>(bytes, 1, 3, "rgb8", {Colour{200, 0, 0}, Colour{0, 200, 0}, Colour{0, 0, 200}});
+            }),
+        {.topics = {{"/tube", TopicKind::camera}}});
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    EXPECT_FALSE(recording::isColour(recording->streams().at(0)));
+    EXPECT_EQ(contentOf(*recording, 0).pictures.at(0), (std::vector<std::uint8_t>{60, 117, 23}));
 }
 
 TEST_F(McapForeign, imagesOf16BitsKeepTheirValues) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/picture/raw_picture.h"
 #include "tests/backend/mcap/mcap_recordings.h"
 
 using namespace teleta;
@@ -79,7 +80,7 @@ TEST_F(McapRecording, picturesInColourComeBackInColour) {
     // Other programs see four pixels a row with 8 bits of each colour: type 2 of the PNG specification.
     const std::string png = mcap::encodePng(pictureAt(0, 1, 12).image, 6, mcap::PngPixel::colour);
     EXPECT_EQ(png.substr(12, 14), std::string("IHDR\0\0\0\4\0\0\0\3\x08\x02", 14));
-    EXPECT_TRUE(mcap::decodePicture(png, mcap::PngPixel::colour));
+    EXPECT_TRUE(picture::colourOfCoded(png));
 }
 
 TEST_F(McapRecording, onlyTheChosenStreamsAreWritten) {

@@ -6,7 +6,6 @@
 #include "backend/mcap/mcap_writer.h"
 #include "backend/mcap/recorded/mcap_export.h"
 #include "backend/mcap/recorded/mcap_import.h"
-#include "backend/mcap/recorded/picture_decoder.h"
 #include "backend/mcap/recorded/png_encoder.h"
 #include "backend/mcap/ros_schemas.h"
 #include "backend/pipeline/recorded/recorded_layout.h"
