@@ -1,89 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/mouse3d/mouse3d.h"
 #include "tests/devices/manual_clock.h"
+#include "tests/devices/mouse3d/played_mouse.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
 
 using namespace teleta;
 using namespace teleta::mouse3d;
 using core::DeviceState;
 using test::eventually;
+using test::kPressed;
+using test::kReleased;
+using test::kRight;
 using test::ManualClock;
+using test::PlayedMouse;
+using test::Report;
 
 namespace {
 
 constexpr std::int64_t kMs_ns = 1'000'000;
-using Report = std::vector<std::uint8_t>;
-
-const Report kPressed = {0x03, 0x01, 0x00};
-const Report kReleased = {0x03, 0x00, 0x00};
-const Report kRight = {0x01, 0x5E, 0x01, 0x00, 0x00, 0x00, 0x00};
-
-/// A mouse that a test plugs in and moves. Thread: any.
-class PlayedMouse {
-public:
-    void plug(bool plugged) {
-        const std::scoped_lock lock(m_mutex);
-        m_plugged = plugged;
-        m_reports.clear();
-        m_changed.notify_all();
-    }
-    void send(Report report) {
-        const std::scoped_lock lock(m_mutex);
-        m_reports.push_back(std::move(report));
-        m_changed.notify_all();
-    }
-    [[nodiscard]] int opened() const {
-        const std::scoped_lock lock(m_mutex);
-        return m_opened;
-    }
-    /// The mouse must outlive what it opens.
-    HidInputOpener opener() {
-        return [this]() -> core::Expected<std::unique_ptr<hid::HidDevice>> {
-            const std::scoped_lock lock(m_mutex);
-            if (!m_plugged)
-                return core::Unexpected(core::Error{core::ErrorKind::unavailable, "none", {}, {}});
-            ++m_opened;
-            return std::make_unique<Input>(*this);
-        };
-    }
-
-private:
-    class Input : public hid::HidDevice {
-    public:
-        explicit Input(PlayedMouse& mouse)
-            : m_mouse(mouse) {}
-        [[nodiscard]] int read(std::span<std::uint8_t> report, int timeout_ms) override {
-            std::unique_lock lock(m_mouse.m_mutex);
-            m_mouse.m_changed.wait_for(lock, std::chrono::milliseconds(timeout_ms),
-                                       [this] { return !m_mouse.m_plugged || !m_mouse.m_reports.empty(); });
-            if (!m_mouse.m_plugged)
-                return -1;
-            if (m_mouse.m_reports.empty())
-                return 0;
-            const Report next = m_mouse.m_reports.front();
-            m_mouse.m_reports.pop_front();
-            std::ranges::copy(next, report.begin());
-            return static_cast<int>(next.size());
-        }
-        [[nodiscard]] std::string name() const override { return "played mouse"; }
-
-    private:
-        PlayedMouse& m_mouse;
-    };
-
-    mutable std::mutex m_mutex;
-    std::condition_variable m_changed;
-    std::deque<Report> m_reports;
-    bool m_plugged = true;
-    int m_opened = 0;
-};
-
 class Mouse3dTest : public testing::Test {
 protected:
     void start(Mouse3dConfig config = {}) {
@@ -98,7 +35,7 @@ protected:
     [[nodiscard]] bool send(std::initializer_list<Report> reports) {
         const std::uint64_t before = taken();
         for (const Report& report : reports)
-            m_mouse.send(report);
+            m_mouse.send({report});
         return eventually(m_wakeup, [&] { return taken() == before + reports.size(); });
     }
     [[nodiscard]] std::uint64_t taken() const {
@@ -106,7 +43,7 @@ protected:
         return status.framesRead + status.framesLost;
     }
 
-    PlayedMouse m_mouse;
+    PlayedMouse m_mouse{true};
     std::shared_ptr<ManualClock> m_clock = std::make_shared<ManualClock>();
     core::Wakeup m_wakeup;
     std::unique_ptr<Mouse3d> m_device;

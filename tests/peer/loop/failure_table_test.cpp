@@ -60,6 +60,7 @@ protected:
         std::optional<Mode> mode = {}; ///< of the site, as the viewer sees it afterwards
         /// While the arm moves, before the time counts.
         Act before = {};
+        const char* hand = "press"; ///< what of the console turns the joint
     };
 
     void begin() {
@@ -151,9 +152,9 @@ protected:
 
     /// Whether the joint turns at nearly all of its rate. On a busy machine a command may come so late that
     /// the arm is held; then the switch is pressed anew.
-    bool moves() {
+    bool moves(const std::string& hand) {
         for (int presses = 0; presses < 5; ++presses) {
-            m_console->say("press " + std::to_string(kRate_radPerS));
+            m_console->say(hand + ' ' + std::to_string(kRate_radPerS));
             if (eventually(
                     [this] {
                         m_log->read();
@@ -180,7 +181,7 @@ protected:
             begin();
             if (IsSkipped() || HasFatalFailure())
                 return;
-            ASSERT_TRUE(moves()) << row.failure;
+            ASSERT_TRUE(moves(row.hand)) << row.failure;
             if (row.before)
                 row.before();
             const std::int64_t failed_ns = core::steadyNow_ns();
@@ -244,6 +245,10 @@ TEST_F(Failures, theArmRestsWhateverFails) {
     const double pad_s = 1e-9 * static_cast<double>(core::staleAfter_ns(100.0));
     const std::vector<Row> rows{
         {"switch let go", kWay_s + kBraking_s, [this] { m_console->say("let_go"); }},
+        {.failure = "3D mouse unplugged",
+         .bound_s = kWay_s + kBraking_s,
+         .fails = [this] { m_console->say("unplug"); },
+         .hand = "mouse"},
         {"console killed", kWay_s + kLease_s + kPoints_s, ofConsole(SIGKILL), after(2s, [] {}), false,
          Mode::free},
         {"console frozen, goes on after 3 s", kWay_s + kLease_s + kPoints_s, ofConsole(SIGSTOP),

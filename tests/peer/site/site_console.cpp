@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A console at a site with one arm, in a process of its own.
 //   site_console FILE
-// Lines that it takes: request, release, offer NAME, accept, press RATE, let_go, freeze, stop, withdraw (its
-// own STOP), count (from here on), tell, end. To "tell" it answers with a line of JSON.
+// Lines that it takes: request, release, offer NAME, accept, press RATE, let_go, mouse RATE (a 3D mouse whose
+// cap is pushed to the end, with its button held), unplug (the mouse), freeze, stop, withdraw (its own STOP),
+// count (from here on), tell, end. To "tell" it answers with a line of JSON.
 #include "backend/core/steady_time.h"
 #include "devices/site/remote/remote_array.h"
 #include "devices/site/site_streams.h"
+#include "tests/devices/mouse3d/played_mouse.h"
 #include "tests/peer/site/site_process.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -43,6 +47,7 @@ public:
         , m_states(*dds::Reader<ros::SiteState>::open(
               m_console.client().participant(), m_console.client().topics().state(), site_link::kState)) {
         m_array->start(m_wakeup);
+        m_reader.start(m_wakeup);
     }
     ~Console() { m_array->stop(); }
 
@@ -76,6 +81,10 @@ public:
             m_console.press(std::stod(about));
         else if (what == "let_go")
             m_console.letGo();
+        else if (what == "mouse")
+            pushMouse(std::stod(about));
+        else if (what == "unplug")
+            m_mouse.plug(false);
         else if (what == "freeze")
             m_console.freeze();
         else if (what == "stop")
@@ -98,6 +107,21 @@ private:
         }
         return nullptr;
     }
+    /// The reports of a cap that is held come without pause, as from a real one.
+    void pushMouse(double rate_radPerS) {
+        m_pushing = {};
+        m_mouse.plug(true);
+        m_mouse.send({test::kReleased, test::kPressed});
+        m_pushing = std::jthread([this](const std::stop_token& stop) {
+            for (; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(8)))
+                m_mouse.send({test::kRight});
+        });
+        m_console.pressBy([this, rate_radPerS] {
+            const mouse3d::SixAxes motion = m_reader.motion();
+            return rate_radPerS *
+                   std::ranges::max(motion.translation, {}, [](double axis) { return std::abs(axis); });
+        });
+    }
     void count() {
         m_joints = m_frames = m_told = {};
         m_jointsLost = m_console.armStatus().framesLost;
@@ -116,6 +140,9 @@ private:
                 {"states", m_told.json()}};
     }
 
+    test::PlayedMouse m_mouse{false};
+    mouse3d::Mouse3d m_reader{{.longestRetry_ns = 250'000'000}, m_mouse.opener()};
+    std::jthread m_pushing;
     test::TestConsole m_console;
     core::Wakeup m_wakeup;
     std::unique_ptr<site_link::RemoteArray> m_array;

@@ -22,9 +22,11 @@
 #include <csignal>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace teleta::test {
@@ -165,13 +167,17 @@ public:
 
     /// Holds the switch and asks for this rate of the second joint until letGo().
     void press(double rate_radPerS) {
-        letGo();
         m_rate_radPerS = rate_radPerS;
-        m_hand = std::jthread([this, rate_radPerS](const std::stop_token& stop) {
+        pressBy([rate_radPerS] { return rate_radPerS; });
+    }
+    /// The same with a rate that is asked for each time; 0: the switch is let go.
+    void pressBy(std::function<double()> rate_radPerS) {
+        letGo();
+        m_hand = std::jthread([this, rate_radPerS = std::move(rate_radPerS)](const std::stop_token& stop) {
             core::ArmCommand command;
             command.rate_radPerS = core::JointVector::zeros(m_arm->description().joints());
             while (!stop.stop_requested()) {
-                command.rate_radPerS[1] = rate_radPerS;
+                command.rate_radPerS[1] = rate_radPerS();
                 command.time_ns = core::steadyNow_ns();
                 m_arm->post(command);
                 std::this_thread::sleep_for(std::chrono::milliseconds(15));

@@ -1,77 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/hand_station.h"
 #include "backend/core/steady_time.h"
+#include "tests/devices/mouse3d/played_mouse.h"
 
 #include <QTest>
 
 #include <atomic>
-#include <condition_variable>
-#include <deque>
-#include <memory>
-#include <mutex>
 
 using namespace teleta;
 using console::HandStation;
-using hid::HidDevice;
+using test::kPressed;
+using test::kReleased;
+using test::kRight;
+using test::PlayedMouse;
 
 namespace {
-
-using Report = std::vector<std::uint8_t>;
-const Report kReleased{0x03, 0x00, 0x00};
-const Report kPressed{0x03, 0x01, 0x00};
-const Report kRight{0x01, 0x5E, 0x01, 0x00, 0x00, 0x00, 0x00};
-
-/// A mouse that a test plugs in and moves. Thread: any.
-struct PlayedMouse {
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::deque<Report> reports;
-    bool plugged = false;
-
-    void plug(bool now) {
-        const std::scoped_lock lock(mutex);
-        plugged = now;
-        reports.clear();
-        changed.notify_all();
-    }
-    void send(const std::vector<Report>& more) {
-        const std::scoped_lock lock(mutex);
-        reports.insert(reports.end(), more.begin(), more.end());
-        changed.notify_all();
-    }
-
-    class Input : public HidDevice {
-    public:
-        explicit Input(PlayedMouse& mouse)
-            : m_mouse(mouse) {}
-        [[nodiscard]] int read(std::span<std::uint8_t> report, int timeout_ms) override {
-            std::unique_lock lock(m_mouse.mutex);
-            m_mouse.changed.wait_for(lock, std::chrono::milliseconds(timeout_ms),
-                                     [this] { return !m_mouse.plugged || !m_mouse.reports.empty(); });
-            if (!m_mouse.plugged)
-                return -1;
-            if (m_mouse.reports.empty())
-                return 0;
-            const Report next = m_mouse.reports.front();
-            m_mouse.reports.pop_front();
-            std::copy(next.begin(), next.end(), report.begin());
-            return static_cast<int>(next.size());
-        }
-        [[nodiscard]] std::string name() const override { return "played mouse"; }
-
-    private:
-        PlayedMouse& m_mouse;
-    };
-
-    mouse3d::HidInputOpener opener() {
-        return [this]() -> core::Expected<std::unique_ptr<HidDevice>> {
-            const std::scoped_lock lock(mutex);
-            if (!plugged)
-                return core::Unexpected(core::Error{core::ErrorKind::unavailable, "none", {}, {}});
-            return std::make_unique<Input>(*this);
-        };
-    }
-};
 
 constexpr std::int64_t kPatience_ns = 60'000'000'000;
 
@@ -101,7 +44,7 @@ class HandStationTest : public QObject {
 
 private slots:
     void tellsOfAMouseThatIsPluggedInLaterAndUnpluggedWhileItMoves() {
-        PlayedMouse mouse;
+        PlayedMouse mouse(false);
         HandStation station(quick(), mouse.opener());
         QVERIFY(!station.motion().has_value());
         QVERIFY2(!station.reading().has_value(), "none was ever there");
@@ -127,7 +70,7 @@ private slots:
     }
 
     void aDeflectedHandThatFallsSilentLetsGoInTheSameLook() {
-        PlayedMouse mouse;
+        PlayedMouse mouse(false);
         mouse.plug(true);
         mouse3d::Mouse3dConfig config = quick();
         const auto clock = std::make_shared<SkippingClock>();
