@@ -3,12 +3,14 @@
 // watershed on 6 x 14 and 64 x 64 frames against OpenCV's watershed with markers, on the same frames of
 // shipped scenes, one thread. Before timing, the answers are checked to be equal. A table at the end compares
 // the medians with the required ratios.
+#include "backend/arm_model/urdf_reader.h"
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/contact_tracker.h"
 #include "backend/contact/feature_batch.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/summit.h"
 #include "backend/contact/tactile_features.h"
+#include "backend/pipeline/touch/skin_kinematics.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/array/simulated_array.h"
 #include "tests/benchmarks/compared_runs.h"
@@ -476,9 +478,39 @@ void compareContacts(const std::string& size, WatershedRuns& runs, std::vector<C
                       ": watershed, inactive marked (rims lost)");
 }
 
-/// The skin of a whole body: 10 000 taxels in 40 patches, some of them touched by a moving ball.
+/// Of the arm with seven joints, eight around each of five links.
+std::vector<std::shared_ptr<const pipeline::SkinKinematics>> patchesOnArm() {
+    const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf");
+    if (!model)
+        fail(core::describe(model.error()));
+    const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                      "base_link", "tool0");
+    if (!chain)
+        fail(core::describe(chain.error()));
+    const auto arm = std::make_shared<const arm_model::SerialChain>(*chain);
+    std::vector<std::shared_ptr<const pipeline::SkinKinematics>> patches;
+    for (const char* link : {"link_2", "link_3", "link_4", "link_5", "link_6"})
+        for (int i = 0; i < 8; ++i) {
+            const double angle_rad = 2.0 * std::numbers::pi * i / 8.0;
+            const auto patch = pipeline::padOnLink(
+                arm, {.link = link,
+                      .position_m = {0.06 * std::cos(angle_rad), 0.06 * std::sin(angle_rad), 0.05},
+                      .rollPitchYaw_rad = {0.0, 0.5 * std::numbers::pi, angle_rad},
+                      .joint = "joint_2"});
+            if (!patch)
+                fail(core::describe(patch.error()));
+            patches.push_back(*patch);
+        }
+    return patches;
+}
+
+/// The skin of a whole body: 10 000 taxels in 40 patches on an arm that moves, some of them touched by a
+/// moving ball.
 struct Skin {
     static constexpr std::size_t kPatches = 40;
+    std::vector<std::shared_ptr<const pipeline::SkinKinematics>> places = patchesOnArm();
+    core::JointVector angle_rad{0.1, 0.4, -0.2, 0.9, 0.3, -0.5, 0.2};
+    Eigen::Vector3d sum_m = Eigen::Vector3d::Zero(); ///< of the contacts' places, so that none is left out
     core::ArrayLayout layout{10, 25, 0.01};
     std::vector<float> raw; ///< frame by frame, then patch by patch
     contact::FrameConditioner conditioner{layout.taxels(), {}};
@@ -511,7 +543,8 @@ struct Skin {
                 cv::Mat(layout.rows, layout.columns, CV_32F, raw.data() + i * layout.taxels()), 0.0F));
     }
 
-    /// From raw values to contacts with identities, all patches. Returns how many contacts there are.
+    /// From raw values to contacts with identities and their places, directions and Jacobians on the arm, all
+    /// patches. Returns how many contacts there are.
     std::size_t process(std::size_t frame) {
         std::size_t contacts = 0;
         for (std::size_t patch = 0; patch < kPatches; ++patch) {
@@ -520,8 +553,13 @@ struct Skin {
                 dead);
             const std::span<contact::Contact> found = segmenters[patch].segment(load_N, dead);
             trackers[patch].assign(found, time_s);
+            for (const contact::Contact& one : found) {
+                const pipeline::SkinPoint point = places[patch]->at(angle_rad, one.x_m, one.y_m);
+                sum_m += point.p_Base_m + point.normal_Base + point.jacobian.col(0);
+            }
             contacts += found.size();
         }
+        angle_rad[0] = 0.1 + 1e-3 * static_cast<double>(frame);
         time_s += 0.005;
         return contacts;
     }
@@ -535,7 +573,10 @@ void compareSkin(const std::string& name, std::size_t touched, Skin& skin,
     std::printf("%s: %.2f contacts a frame\n", name.c_str(), static_cast<double>(contacts) / kFrames);
     if (contacts != touched * kFrames)
         fail(name + ": expected " + std::to_string(touched) + " contacts in each frame.");
-    registerRun(name + "/ours", [&skin](std::size_t i) { benchmark::DoNotOptimize(skin.process(i)); });
+    registerRun(name + "/ours", [&skin](std::size_t i) {
+        benchmark::DoNotOptimize(skin.process(i));
+        benchmark::DoNotOptimize(skin.sum_m.data());
+    });
     registerRun(name + "/openCvFromFrame", [&skin](std::size_t i) {
         for (std::size_t patch = 0; patch < Skin::kPatches; ++patch)
             benchmark::DoNotOptimize(openCvContacts(skin.grey[i * Skin::kPatches + patch]).data);
