@@ -90,17 +90,22 @@ void Unattended::printMeasurement() {
                                    {"frames_lost", static_cast<qint64>(status.framesLost)},
                                    {"frames_displayed", static_cast<qint64>(item.displayed)}});
     }
-    const QJsonObject document{{"first_window_s", m_firstWindow_s},
-                               {"first_window_processor_s", m_firstWindowProcessor_s},
-                               {"measured_s", measured_s},
-                               {"ticks", static_cast<qint64>(report.ticks)},
-                               {"processor_cores", cores},
-                               {"tick_work_p50_s", report.work_p50_s},
-                               {"tick_work_p99_s", report.work_p99_s},
-                               {"tick_work_max_s", report.work_max_s},
-                               {"event_loop_stall_p99_s", report.stall_p99_s},
-                               {"event_loop_stall_max_s", report.stall_max_s},
-                               {"sources", sources}};
+    QJsonObject document{{"first_window_s", m_firstWindow_s},
+                         {"first_window_processor_s", m_firstWindowProcessor_s},
+                         {"measured_s", measured_s},
+                         {"ticks", static_cast<qint64>(report.ticks)},
+                         {"processor_cores", cores},
+                         {"tick_work_p50_s", report.work_p50_s},
+                         {"tick_work_p99_s", report.work_p99_s},
+                         {"tick_work_max_s", report.work_max_s},
+                         {"event_loop_stall_p99_s", report.stall_p99_s},
+                         {"event_loop_stall_max_s", report.stall_max_s},
+                         {"sources", sources}};
+    if (const std::optional<TouchToSkin::Latency> latency = m_window.bracelet().touchToSkin()) {
+        document.insert("touch_to_bracelet_p50_s", latency->median_s);
+        document.insert("touch_to_bracelet_p99_s", latency->p99_s);
+        document.insert("touches", static_cast<qint64>(m_window.bracelet().receipts().size()));
+    }
     std::printf("%s", QJsonDocument(document).toJson().constData());
     std::fflush(stdout);
     const int code = m_window.anyFailure() ? 3 : 0;
