@@ -40,6 +40,7 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     arm.source = &channel.device();
     arm.guarded = channel.description().guarded;
     arm.chain = channel.chain();
+    arm.angles = [&channel] { return channel.newestAngles_rad(); };
     if (!channel.description().simulated)
         arm.adapter = "none";
     if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {

@@ -91,6 +91,8 @@ const std::vector<core::JointSample>& JointChannel::takeSamples() {
     core::BoundedQueue<core::JointSample>& joints = m_arm->joints();
     for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
         m_taken.push_back(sample);
+    if (!m_taken.empty())
+        m_newestAngles_rad.set(m_taken.back().angle_rad);
     takeWrenches();
     return m_taken;
 }

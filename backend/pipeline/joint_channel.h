@@ -28,7 +28,7 @@ namespace teleta::pipeline {
 /// Three sides, one thread each:
 /// - pipeline thread: process() drains the joint samples and publishes them;
 /// - viewer (one thread, the GUI's): popSample() and the commands of device();
-/// - any thread: description(), status(), jointStatus(), chain(), meshFolder(), counters.
+/// - any thread: description(), status(), jointStatus(), chain(), meshFolder(), newestAngles_rad(), counters.
 class JointChannel : public Channel {
 public:
     /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
@@ -73,6 +73,8 @@ public:
     bool popSample(core::JointSample& sample) { return m_samples.pop(sample); }
     /// The newest that the arm's sensor of force and torque measured; nothing: it has none, or nothing came.
     [[nodiscard]] std::optional<core::WrenchSample> newestWrench() const { return m_newestWrench.get(); }
+    /// Of the newest sample; none before the first. Any thread.
+    [[nodiscard]] core::JointVector newestAngles_rad() const { return m_newestAngles_rad.get(); }
     [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
     [[nodiscard]] std::uint64_t samplesProcessed() const {
         return m_samplesProcessed.load(std::memory_order_relaxed);
@@ -118,6 +120,7 @@ private:
     std::vector<core::JointSample> m_taken;
     core::BoundedQueue<core::JointSample> m_samples;
     core::LatestCopy<std::optional<core::WrenchSample>> m_newestWrench;
+    core::LatestCopy<core::JointVector> m_newestAngles_rad;
     std::atomic<std::uint64_t> m_samplesProcessed{0};
 };
 

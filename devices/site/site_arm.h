@@ -22,9 +22,11 @@ struct ArmHealth {
 
 /// An arm of a site, for those who command it and those who are told of it.
 struct SiteArm {
-    std::string name;                                    ///< isSiteName()
-    core::ArmSource* source = nullptr;                   ///< not null; outlives this
-    std::function<ArmHealth()> health;                   ///< empty: it has no faults
+    std::string name;                  ///< isSiteName()
+    core::ArmSource* source = nullptr; ///< not null; outlives this
+    std::function<ArmHealth()> health; ///< empty: it has no faults
+    /// The newest angles, rad or m; none before the first. Any thread. Empty: nobody tells them.
+    std::function<core::JointVector()> angles;
     std::shared_ptr<const arm_model::SerialChain> chain; ///< null: not known
     std::string adapter = "simulated";                   ///< "none": it is read-only
     bool guarded = true; ///< something at the robot ends a motion when nothing more comes

@@ -316,10 +316,11 @@ void SiteControl::take(ConsoleEnds& console, const ros::SiteArmCommand& command,
     head.press = command.press;
     head.hold = command.kind == kHoldCommand;
     head.echoSite_ns = command.echo_site_ns;
-    // Twists of the tip and positions are the console's to turn into rates: only it shows what becomes of
-    // them.
-    head.armKnown = arm != nullptr && (head.hold || (command.kind == kRatesCommand &&
-                                                     values.size() == arm->source->description().joints()));
+    const std::optional<AskedMotion> asked =
+        arm == nullptr || head.hold
+            ? std::nullopt
+            : AskedMotion::of(command.kind, textOf(command.frame_id), {values.data(), values.size()}, *arm);
+    head.armKnown = arm != nullptr && (head.hold || asked);
     head.finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     head.armLive = arm == nullptr || (arm->source->status().state == core::DeviceState::live &&
                                       m_health[static_cast<std::size_t>(arm - m_arms.data())].fault.empty());
@@ -333,9 +334,7 @@ void SiteControl::take(ConsoleEnds& console, const ros::SiteArmCommand& command,
     if (head.hold)
         return;
     m_commanded = arm;
-    m_command.emplace();
-    m_command->rate_radPerS = core::JointVector::zeros(values.size());
-    std::ranges::copy(values, m_command->rate_radPerS.begin());
+    m_command = asked;
 }
 
 void SiteControl::checkArms(std::int64_t now_ns) {
@@ -363,7 +362,7 @@ void SiteControl::moveArms(std::int64_t now_ns) {
         // The latest command counts until the motion lease is over, however often the console sends.
         core::ArmCommand command{core::JointVector::zeros(arm.source->description().joints()), now_ns};
         if (m_command && m_commanded == &arm)
-            command.rate_radPerS = m_command->rate_radPerS;
+            command.rate_radPerS = m_command->rates(arm);
         arm.source->post(command);
     }
 }

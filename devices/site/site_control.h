@@ -10,6 +10,7 @@
 #include "devices/dds/discovery.h"
 #include "devices/dds/participant.h"
 #include "devices/dds/wait_set.h"
+#include "devices/site/asked_motion.h"
 #include "devices/site/console_ends.h"
 #include "devices/site/site_arm.h"
 #include "devices/site/site_topics.h"
@@ -133,7 +134,7 @@ private:
     site::ControlArbiter m_arbiter;
     std::map<std::string, std::unique_ptr<ConsoleEnds>> m_consoles;
     std::vector<ArmHealth> m_health; ///< of each arm
-    std::optional<core::ArmCommand> m_command;
+    std::optional<AskedMotion> m_command;
     const SiteArm* m_commanded = nullptr;
     std::uint64_t m_commandNumber = 0;
     site::CommandRefusal m_lastRefusal = site::CommandRefusal::none;

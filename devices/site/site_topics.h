@@ -18,9 +18,11 @@ inline constexpr unsigned kProtocol = 1;
 /// digits and _.
 [[nodiscard]] bool isSiteName(std::string_view name);
 
-/// Kinds of a command of a console; others of the protocol are not carried out.
+/// Kinds of a command of a console.
 inline constexpr std::uint8_t kHoldCommand = 0;
 inline constexpr std::uint8_t kRatesCommand = 1;
+inline constexpr std::uint8_t kTwistCommand = 2;
+inline constexpr std::uint8_t kPositionsCommand = 3;
 /// A request that is not of control: the program of a simulated arm begins anew.
 inline constexpr std::uint8_t kRestartRequest = 10;
 
