@@ -142,7 +142,13 @@ bool ArmChannel::takeCommands() {
 }
 
 void ArmChannel::take(TouchRecord&& touch) {
-    addToObjects(touch);
+    // A recording's numbers its touches anew, which all that follows shows.
+    const auto kind = description().recorded ? m_history.add(touch) : TouchHistory::Kind::first;
+    // What is felt first: recognising the shape takes about 1 ms.
+    const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
+    if (feedback)
+        feedback->onTouch(touch);
+    addToObjects(touch, kind);
     const auto tapInto = [&touch](const std::shared_ptr<core::StreamTap>& tap) {
         if (!tap)
             return;
@@ -152,18 +158,14 @@ void ArmChannel::take(TouchRecord&& touch) {
     tapInto(m_touchTap.get());
     for (const auto& watched : m_touchesWatched)
         tapInto(watched.get());
-    const std::shared_ptr<TactileFeedback> feedback = m_feedback.get();
-    if (feedback)
-        feedback->onTouch(touch);
     if (touch.located && feedback)
         feedback->onContour(touch, m_found.contour());
     m_lastTouch = touch;
     m_touches.push(std::move(touch));
 }
 
-void ArmChannel::addToObjects(TouchRecord& touch) {
+void ArmChannel::addToObjects(const TouchRecord& touch, TouchHistory::Kind kind) {
     using Kind = TouchHistory::Kind;
-    const Kind kind = description().recorded ? m_history.add(touch) : Kind::first;
     if (kind == Kind::better) {
         m_history.fill(m_found);
         ++m_objectsRevision;

@@ -126,7 +126,7 @@ private:
     bool takeCommands(); ///< true when a view may see a change
     void take(TouchRecord&& touch);
     /// Adds it to the objects. Of a recording, a touch that is played again is not another one.
-    void addToObjects(TouchRecord& touch);
+    void addToObjects(const TouchRecord& touch, TouchHistory::Kind kind);
     /// What was found before is of another run.
     void beginAnew(std::int64_t time_ns);
     void publishSnapshot();

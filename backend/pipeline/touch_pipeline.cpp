@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_pipeline.h"
 
+#include "backend/core/threads/urgent_thread.h"
+
 #include <chrono>
 #include <utility>
 
@@ -90,6 +92,8 @@ void TouchPipeline::carryOut(Request& request) {
 }
 
 void TouchPipeline::compute(const std::stop_token& stop) {
+    // Between devices and a bracelet whose threads are urgent.
+    (void)core::raiseThread();
     // The time-out lets new settings take effect while a paused source delivers nothing.
     constexpr auto kIdlePeriod = 50ms;
     Channels channels;

@@ -25,10 +25,13 @@ ThreadUrgency makeThreadUrgent() {
     parameters.sched_priority = kPriority;
     if (pthread_setschedparam(pthread_self(), SCHED_RR | SCHED_RESET_ON_FORK, &parameters) == 0)
         return ThreadUrgency::realTime;
+    return raiseThread();
+}
+
+ThreadUrgency raiseThread() {
     // On Linux a nice value is a thread's own.
-    if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice) == 0)
-        return ThreadUrgency::raised;
-    return ThreadUrgency::ordinary;
+    return setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice) == 0 ? ThreadUrgency::raised
+                                                                              : ThreadUrgency::ordinary;
 }
 
 std::optional<int> libraryThreadPriority() {

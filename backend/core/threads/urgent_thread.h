@@ -17,6 +17,10 @@ enum class ThreadUrgency {
 /// starts do not inherit this. Returns what was reached.
 [[nodiscard]] ThreadUrgency makeThreadUrgent();
 
+/// Makes the calling thread run before ordinary ones, but after urgent ones: for work that others wait for
+/// and that may take long. Returns what was reached: raised or ordinary.
+[[nodiscard]] ThreadUrgency raiseThread();
+
 /// The real-time priority for threads that libraries start for this program, just below that of
 /// makeThreadUrgent(); empty: the user is not allowed any. Tried once, on a thread of its own. Thread: any.
 [[nodiscard]] std::optional<int> libraryThreadPriority();

@@ -3,6 +3,7 @@
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 #include "backend/playback/pattern_program.h"
+#include "backend/recording/stream_sink.h"
 #include "tests/backend/pipeline/next_event.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 #include "tests/backend/pipeline/scripted_source.h"
@@ -260,6 +261,40 @@ TEST_F(ArmChannelTest, tellsTheFeedbackOfEveryTouch) {
     touch();
     m_channel.process();
     EXPECT_EQ(played, 1);
+}
+
+/// Recognising shapes takes time, and so does recording.
+TEST_F(ArmChannelTest, playsATouchBeforeItDoesAnythingElseWithIt) {
+    class Sink : public recording::StreamSink {
+    public:
+        std::shared_ptr<core::StreamTap> addStream(recording::StreamInfo info) override {
+            auto tap = std::make_shared<core::StreamTap>(64);
+            if (info.kind == recording::StreamKind::touches)
+                touches = tap;
+            return tap;
+        }
+        void add(recording::RecordingEvent /*event*/) override {}
+        std::shared_ptr<core::StreamTap> touches;
+    };
+    const auto sink = std::make_shared<Sink>();
+    m_channel.watch(pipeline::Watcher::plot, sink, "arm");
+    ASSERT_TRUE(sink->touches);
+    int played = 0;
+    bool wasRecorded = false;
+    const auto feedback = std::make_shared<pipeline::TactileFeedback>([&](const playback::Program&) {
+        core::TappedFrames frames;
+        wasRecorded = wasRecorded || sink->touches->pop(frames);
+        return ++played > 0;
+    });
+    feedback->setMap(pattern::PatternMap::defaults(), builtInProgram);
+    m_channel.setFeedback(feedback);
+    touch();
+    m_channel.process();
+    EXPECT_EQ(played, 1);
+    EXPECT_FALSE(wasRecorded);
+    core::TappedFrames frames;
+    EXPECT_TRUE(sink->touches->pop(frames));
+    m_channel.watch(pipeline::Watcher::plot, nullptr, {});
 }
 
 TEST_F(ArmChannelTest, forgetsTheContourOnCommandAlsoWhileNoSampleComes) {
