@@ -47,6 +47,10 @@ for file in bin/teleta-site lib/systemd/system/teleta-site.service lib/sysusers.
     share/bash-completion/completions/teleta-site share/doc/teleta-site/copyright share/doc/teleta-site/examples/site.toml; do
     inside dpkg -L teleta-site | grep -qxF "/usr/$file" || fail "teleta-site does not hold /usr/$file"
 done
+for part in teleta_opencv_pictures teleta_opencv_video; do
+    inside ldd "/usr/lib/teleta-site/$part.so" >"$tree/tmp/part" || fail "teleta-site does not hold $part.so"
+    ! grep "not found" "$tree/tmp/part" || fail "$part.so of teleta-site lacks a library"
+done
 [[ ! -e $tree/etc/systemd/system/multi-user.target.wants/teleta-site.service ]] || fail "the service is enabled"
 printf '%s\n' 'kind = "site"' 'name = "lab"' 'record = true' '[operator]' 'interface = "lo"' 'security = "none"' '[[device]]' \
     'id = "practice"' 'scene = "teleoperation"' >"$tree/tmp/site.toml"

@@ -17,8 +17,10 @@ namespace teleta::core {
 /// Thread: any.
 [[nodiscard]] inline const void* findPart(const char* name, std::string& reason) {
     // The dynamic linker knows $ORIGIN: the folder of the program or of the module that this code is in. The
-    // last one is found by the search path that only programs of a build tree have.
-    constexpr std::array kFolders{"$ORIGIN/", "$ORIGIN/../lib/teleta-console/", ""};
+    // package of teleta-site has a folder of its own. The last one is found by the search path that only
+    // programs of a build tree have.
+    constexpr std::array kFolders{"$ORIGIN/", "$ORIGIN/../lib/teleta-console/", "$ORIGIN/../lib/teleta-site/",
+                                  ""};
     const std::string file = std::string(name) + ".so";
     for (const char* folder : kFolders) {
         void* const module = dlopen((folder + file).c_str(), RTLD_LAZY | RTLD_LOCAL);
