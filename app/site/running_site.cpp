@@ -33,6 +33,8 @@ struct RunningSiteText {
 using Severity = site_link::SiteNews::Severity;
 
 constexpr std::chrono::milliseconds kOpenLook{20};
+/// A day.
+constexpr std::int64_t kKeysLook_ns = 86'400'000'000'000;
 
 site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel) {
     site_link::SiteArm arm;
@@ -48,6 +50,8 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
         arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
                          : ros->file().effortUnit == ros_arm::EffortUnit::ampere    ? "A"
                                                                                     : "none";
+        arm.tipSpeed_mPerS = ros->file().limits.tipSpeed_mPerS;
+        arm.tipTurn_radPerS = ros->file().limits.tipTurn_radPerS;
         arm.health = [ros] {
             const ros_arm::MoverState mover = ros->state().mover;
             return site_link::ArmHealth{
@@ -101,8 +105,8 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     TELETA_TRY(const auto participant, file.meeting.join());
     const site_link::SiteTopics topics(file.name);
     const site::BootName boot = site_link::newBootName();
-    for (const std::string& warning : file.meeting.keyWarnings())
-        log.write({Severity::warning, {}, "keys", warning});
+    site->m_meeting = file.meeting;
+    site->lookAtKeys();
     TELETA_CHECK(site->openDevices(file, cancelled));
     for (const Device& device : site->m_devices) {
         if (!device.channel)
@@ -136,6 +140,8 @@ core::Expected<std::unique_ptr<RunningSite>>
 RunningSite::openForCheck(const SiteFile& file, SiteLog& log, const std::function<bool()>& cancelled) {
     std::unique_ptr<RunningSite> site(new RunningSite(log));
     TELETA_TRY(const auto participant, file.meeting.join());
+    site->m_meeting = file.meeting;
+    site->lookAtKeys();
     TELETA_CHECK(site->openDevices(file, cancelled));
     const bool allOpened =
         std::ranges::all_of(site->m_devices, [](const Device& device) { return device.channel != nullptr; });
@@ -273,6 +279,28 @@ void RunningSite::tell(const site_link::SiteNews& news) {
     m_log.write(news);
 }
 
+void RunningSite::tellAll(const site_link::SiteNews& news) {
+    tell(news);
+    if (m_control)
+        m_control->post(news);
+}
+
+void RunningSite::lookAtKeys() {
+    m_nextKeys_ns = core::steadyNow_ns() + kKeysLook_ns;
+    std::vector<std::string> warnings = m_meeting.keyWarnings();
+    for (const std::string& warning : warnings) {
+        if (std::ranges::find(m_keyWarnings, warning) == m_keyWarnings.end())
+            tellAll({Severity::warning, {}, "keys", warning});
+    }
+    m_keyWarnings = std::move(warnings);
+}
+
+void RunningSite::setStop(bool engaged) {
+    m_control->setStop(engaged);
+    if (!engaged)
+        m_control->withdrawStopsOfGone();
+}
+
 void RunningSite::poll() {
     for (Device& device : m_devices) {
         if (!device.channel)
@@ -282,8 +310,8 @@ void RunningSite::poll() {
         std::string trouble = troubleOf(*device.channel);
         if (trouble != device.trouble) {
             device.trouble = std::move(trouble);
-            tell({device.trouble.empty() ? Severity::note : Severity::warning, device.id, "device",
-                  device.trouble.empty() ? "live" : device.trouble});
+            tellAll({device.trouble.empty() ? Severity::note : Severity::warning, device.id, "device",
+                     device.trouble.empty() ? "live" : device.trouble});
         }
         if (m_recorder) {
             if (const auto changed = device.channel->takeSettingsEvent())
@@ -294,8 +322,10 @@ void RunningSite::poll() {
     if (m_recorder && !m_recorderFailed &&
         m_recorder->status().state == recording::RecorderStatus::State::failed) {
         m_recorderFailed = true;
-        tell({Severity::error, {}, "recording_failed", core::describe(m_recorder->status().error)});
+        tellAll({Severity::error, {}, "recording_failed", core::describe(m_recorder->status().error)});
     }
+    if (core::steadyNow_ns() >= m_nextKeys_ns)
+        lookAtKeys();
 }
 
 std::vector<std::string> RunningSite::problems() const {

@@ -40,6 +40,9 @@ public:
     /// What has to be done a few times a second: follows settings, frees what nobody shows.
     void poll();
 
+    /// Somebody at the site engages its STOP, or withdraws it with those of consoles that have vanished. Not
+    /// of a check.
+    void setStop(bool engaged);
     /// Not of a check.
     [[nodiscard]] site_link::SiteStatus status() const { return m_control->status(); }
     /// What keeps a device from being used now, "NAME: reason" each; empty: all of them are live.
@@ -66,6 +69,9 @@ private:
     [[nodiscard]] core::Expected<void> checkRequired() const;
     [[nodiscard]] core::Expected<void> startRecording(const SiteFile& file, const std::string& folder);
     void tell(const site_link::SiteNews& news);
+    /// Also to the consoles.
+    void tellAll(const site_link::SiteNews& news);
+    void lookAtKeys();
 
     SiteLog& m_log;
     core::StopSwitch m_stop; ///< of all devices
@@ -75,6 +81,9 @@ private:
     std::string m_misplaced; ///< of a check: why an array cannot be where its frame says
     std::shared_ptr<recording::Recorder> m_recorder;
     bool m_recorderFailed = false;
+    site_link::OperatorDomain m_meeting;
+    std::int64_t m_nextKeys_ns = 0;
+    std::vector<std::string> m_keyWarnings; ///< as they were told last
     std::shared_ptr<site_link::SiteStreams> m_streams;
     std::unique_ptr<site_link::SiteControl> m_control; ///< the first to go
 };

@@ -17,6 +17,7 @@
 #include <ctime>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,10 @@ struct Options {
 };
 
 /// Waits until every device is live and says what is missing.
-int check(RunningSite& site, const Options& options, const EndSignals& ending) {
+int check(RunningSite& site, const Options& options, const SiteSignals& signals) {
     std::vector<std::string> problems = site.problems();
     for (const std::int64_t end_ns = core::steadyNow_ns() + kCheck_ns;
-         !problems.empty() && core::steadyNow_ns() < end_ns && !ending.wait(kPoll_ns);) {
+         !problems.empty() && core::steadyNow_ns() < end_ns && !signals.wait(kPoll_ns);) {
         site.poll();
         problems = site.problems();
     }
@@ -73,7 +74,7 @@ int check(RunningSite& site, const Options& options, const EndSignals& ending) {
     return problems.empty() ? kDone : kWorkFailed;
 }
 
-int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignals& ending) {
+int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const SiteSignals& signals) {
     const ServiceManager manager;
     manager.tell("READY=1");
     log.write({site_link::SiteNews::Severity::note,
@@ -86,7 +87,9 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignal
                    .toStdString()});
     std::uint64_t cycles = 0;
     std::int64_t nextTell_ns = 0;
-    while (!ending.wait(kPoll_ns)) {
+    while (!signals.wait(kPoll_ns)) {
+        if (const std::optional<bool> stop = signals.takeStop())
+            site.setStop(*stop);
         site.poll();
         log.flush();
         const std::int64_t now_ns = core::steadyNow_ns();
@@ -107,12 +110,12 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const EndSignal
     return kDone;
 }
 
-int run(const Options& options, const EndSignals& ending) {
+int run(const Options& options, const SiteSignals& signals) {
     const core::Expected<SiteFile> file = readSite(options.path);
     if (!file)
         return failedWith(file.error(), file.error().kind != core::ErrorKind::ioFailed);
     SiteLog log(options.json && !options.check);
-    const auto cancelled = [&ending] { return ending.wait(0); };
+    const auto cancelled = [&signals] { return signals.wait(0); };
     core::Expected<std::unique_ptr<RunningSite>> site =
         options.check ? RunningSite::openForCheck(*file, log, cancelled)
                       : RunningSite::open(*file, options.recordings, log, cancelled);
@@ -123,7 +126,7 @@ int run(const Options& options, const EndSignals& ending) {
         // A device that is not there may come; a file that is wrong stays wrong.
         return failedWith(site.error(), site.error().kind == core::ErrorKind::badInput);
     }
-    const int code = options.check ? check(**site, options, ending) : serve(**site, *file, log, ending);
+    const int code = options.check ? check(**site, options, signals) : serve(**site, *file, log, signals);
     site->reset();
     log.flush();
     return code;
@@ -131,7 +134,7 @@ int run(const Options& options, const EndSignals& ending) {
 
 } // namespace
 
-EndSignals::EndSignals() {
+SiteSignals::SiteSignals() {
     sigemptyset(&m_signals);
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
         // nohup has made the program deaf to one.
@@ -140,17 +143,27 @@ EndSignals::EndSignals() {
         if (before.sa_handler != SIG_IGN)
             sigaddset(&m_signals, signal);
     }
+    sigaddset(&m_signals, SIGUSR1);
+    sigaddset(&m_signals, SIGUSR2);
     pthread_sigmask(SIG_BLOCK, &m_signals, nullptr);
 }
 
-bool EndSignals::wait(std::int64_t longest_ns) const {
+bool SiteSignals::wait(std::int64_t longest_ns) const {
     const timespec longest{longest_ns / 1'000'000'000, longest_ns % 1'000'000'000};
-    if (!m_came && sigtimedwait(&m_signals, nullptr, &longest) > 0)
+    const int signal = m_came ? 0 : sigtimedwait(&m_signals, nullptr, &longest);
+    if (signal == SIGUSR1 || signal == SIGUSR2)
+        m_stop = signal == SIGUSR1 ? Stop::engage : Stop::withdraw;
+    else if (signal > 0)
         m_came = true;
     return m_came;
 }
 
-int runProgram(int argc, const char* const* argv, const EndSignals& ending) {
+std::optional<bool> SiteSignals::takeStop() const {
+    const Stop stop = m_stop.exchange(Stop::unchanged);
+    return stop == Stop::unchanged ? std::nullopt : std::optional(stop == Stop::engage);
+}
+
+int runProgram(int argc, const char* const* argv, const SiteSignals& signals) {
     CLI::App app(SiteProgramText::tr("Runs at the robot: sends what its arms and tactile arrays feel to the "
                                      "consoles, and decides which console moves them.")
                      .toStdString(),
@@ -185,7 +198,7 @@ int runProgram(int argc, const char* const* argv, const EndSignals& ending) {
         }
         if (site->count() == 0)
             throw CLI::RequiredError("SITE.toml");
-        return run(options, ending);
+        return run(options, signals);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;
     }

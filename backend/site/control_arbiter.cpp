@@ -268,6 +268,11 @@ CommandRefusal ControlArbiter::command(const std::string& console, const Command
     return why;
 }
 
+void ControlArbiter::withdrawStopsOfGone(std::int64_t now_ns) {
+    if (std::erase_if(m_stops, [&](const auto& stop) { return !alive(stop.first, now_ns); }) > 0)
+        requireNewPress();
+}
+
 void ControlArbiter::setSiteStop(bool engaged) {
     if (engaged != m_siteStop)
         requireNewPress();

@@ -123,6 +123,9 @@ public:
 
     /// STOP at the site itself.
     void setSiteStop(bool engaged);
+    /// Somebody at the site withdraws the STOPs of consoles that have vanished, as a supervisor does one by
+    /// one. That of a console that is there stays its own.
+    void withdrawStopsOfGone(std::int64_t now_ns);
     /// An arm has a fault, or its cause is gone. The fault lasts until clearFault.
     void setFaultCause(bool present);
 

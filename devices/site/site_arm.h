@@ -31,6 +31,8 @@ struct SiteArm {
     std::string adapter = "simulated";                   ///< "none": it is read-only
     bool guarded = true; ///< something at the robot ends a motion when nothing more comes
     std::string effortUnit = "Nm";
+    double tipSpeed_mPerS = 0.0; ///< limits of the tip; 0: not known
+    double tipTurn_radPerS = 0.0;
 };
 
 } // namespace teleta::site_link

@@ -10,6 +10,11 @@
 #include "devices/site/site_streams.h"
 #include "devices/site/stream_descriptions.h"
 
+#include <QByteArray>
+#include <QCryptographicHash>
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,6 +92,13 @@ struct ToldArm {
         ros::lend(info.upper, std::span(highest.data(), highest.size()));
         ros::lend(info.velocity, std::span(fastest.data(), fastest.size()));
         info.tip_frame = texts(arm.chain ? arm.chain->tipLink() : std::string());
+        info.tip_linear_m_per_s = arm.tipSpeed_mPerS;
+        info.tip_angular_rad_per_s = arm.tipTurn_radPerS;
+        if (arm.chain) {
+            const QByteArray sum = QCryptographicHash::hash(
+                QByteArray::fromStdString(arm.chain->model().urdf), QCryptographicHash::Sha256);
+            std::ranges::copy(sum, std::begin(info.description_sha256));
+        }
         info.effort_unit = texts(arm.effortUnit);
         info.guarded = arm.guarded;
         return info;
@@ -167,9 +179,8 @@ void SiteControl::tellInfo(const std::vector<recording::StreamInfo>& streams) {
         info.unit = texts(stream.unit);
         info.frame_id = texts(frameOf(stream, streams));
         info.rate_hz = stream.nominalRate_Hz;
-        info.simulated = std::ranges::any_of(m_arms, [&](const SiteArm& arm) {
-            return arm.name == device && arm.source->description().simulated;
-        });
+        const auto details = nlohmann::json::parse(stream.details, nullptr, false);
+        info.simulated = details.is_object() && details.value("simulated", nlohmann::json()) == true;
         shapes.emplace_back(stream.shape.begin(), stream.shape.end());
         ros::lend(info.shape, std::span(shapes.back()));
         infos.push_back(info);
@@ -203,10 +214,13 @@ void SiteControl::run(const std::stop_token& stop) {
         }
         listen(now_ns);
         m_arbiter.setSiteStop(m_siteStop);
+        if (m_withdraws.exchange(false))
+            m_arbiter.withdrawStopsOfGone(now_ns);
         m_arbiter.advance(now_ns);
         checkArms(now_ns);
         moveArms(now_ns);
         noteChanges(now_ns);
+        tellNews();
         if (now_ns >= m_nextState_ns)
             tellState(now_ns);
     }
@@ -454,18 +468,38 @@ void SiteControl::tellState(std::int64_t now_ns) {
 
 void SiteControl::tell(Severity severity, const std::string& source, const std::string& code,
                        const std::string& message) {
+    const SiteNews news{severity, source, code, message};
+    publish(news);
+    if (m_told)
+        m_told(news);
+}
+
+void SiteControl::publish(const SiteNews& news) {
     LentTexts texts;
     ros::SiteEvent event{};
     std::ranges::copy(m_boot, std::begin(event.site_boot));
     event.number = ++m_eventNumber;
     event.site_ns = core::steadyNow_ns();
-    event.severity = static_cast<std::uint8_t>(severity);
-    event.source = texts(source);
-    event.code = texts(code);
-    event.message = texts(message);
+    event.severity = static_cast<std::uint8_t>(news.severity);
+    event.source = texts(news.source);
+    event.code = texts(news.code);
+    event.message = texts(news.message);
     (void)m_writers.event.write(event);
-    if (m_told)
-        m_told({severity, source, code, message});
+}
+
+void SiteControl::post(SiteNews news) {
+    const std::scoped_lock lock(m_newsMutex);
+    m_news.push_back(std::move(news));
+}
+
+void SiteControl::tellNews() {
+    std::vector<SiteNews> news;
+    {
+        const std::scoped_lock lock(m_newsMutex);
+        news.swap(m_news);
+    }
+    for (const SiteNews& one : news)
+        publish(one);
 }
 
 const SiteArm* SiteControl::armOf(const std::string& name) const {

@@ -21,6 +21,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -88,6 +89,10 @@ public:
     [[nodiscard]] SiteStatus status() const { return m_status.get(); }
     /// The site's own STOP. Any thread.
     void setStop(bool engaged) { m_siteStop = engaged; }
+    /// Withdraws the STOPs of consoles that have vanished, in the next cycle. Any thread.
+    void withdrawStopsOfGone() { m_withdraws = true; }
+    /// Tells the consoles of something besides the control of the arms. Any thread; told() is not called.
+    void post(SiteNews news);
 
 private:
     struct Writers {
@@ -112,6 +117,8 @@ private:
     void moveArms(std::int64_t now_ns);
     void noteChanges(std::int64_t now_ns);
     void tellState(std::int64_t now_ns);
+    void tellNews();
+    void publish(const SiteNews& news);
     void tell(SiteNews::Severity severity, const std::string& source, const std::string& code,
               const std::string& message);
     [[nodiscard]] const SiteArm* armOf(const std::string& name) const;
@@ -128,6 +135,9 @@ private:
     dds::Discovery m_discovery;
     dds::WaitSet m_waitSet;
     std::atomic<bool> m_siteStop{false};
+    std::atomic<bool> m_withdraws{false};
+    std::mutex m_newsMutex;
+    std::vector<SiteNews> m_news; ///< posted, not told yet
     core::LatestCopy<SiteStatus> m_status;
 
     // The thread's own.

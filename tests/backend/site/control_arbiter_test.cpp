@@ -255,6 +255,21 @@ TEST(ControlArbiter, stopOfAConsoleThatVanishedStaysUntilASupervisorWithdrawsIt)
     EXPECT_EQ(site.mode(), Mode::free);
 }
 
+TEST(ControlArbiter, somebodyAtTheSiteWithdrawsTheStopsOfThoseWhoVanishedAndNoOther) {
+    Site site;
+    site.arbiter.presence("one", {boot(1), false, true}, site.now_ns);
+    site.pass(3 * kSecond);
+    site.arbiter.presence("two", {boot(2), false, true}, site.now_ns);
+    site.arbiter.withdrawStopsOfGone(site.now_ns);
+    EXPECT_EQ(site.arbiter.stopHolders(), (std::set<std::string>{"two"}));
+    site.arbiter.setSiteStop(true);
+    site.arbiter.presence("two", {boot(2), false, false}, site.now_ns);
+    site.arbiter.withdrawStopsOfGone(site.now_ns);
+    EXPECT_EQ(site.mode(), Mode::stopped) << "that of the site is withdrawn by itself";
+    site.arbiter.setSiteStop(false);
+    EXPECT_EQ(site.mode(), Mode::free);
+}
+
 TEST(ControlArbiter, aSecondProgramOfTheSameNameIsRefusedWhileTheFirstIsAlive) {
     Site site;
     site.ask("one", RequestKind::request);

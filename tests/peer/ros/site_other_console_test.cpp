@@ -11,10 +11,15 @@
 #include "robot_fixture.h"
 #include "tests/peer/site/site_process.h"
 
+#include <QByteArray>
+#include <QCryptographicHash>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <atomic>
+#include <fstream>
+#include <iterator>
 #include <mutex>
 #include <span>
 #include <string>
@@ -135,9 +140,9 @@ private:
 class SiteOtherConsole : public RosArmPeer {
 protected:
     void SetUp() override {
-        start(142);
+        start(150);
         writeFile("", "announce = false\n");
-        m_site = std::make_unique<test::SiteProcess>(143, "[[device]]\nfile = \"" + path() + "\"\n");
+        m_site = std::make_unique<test::SiteProcess>(151, "[[device]]\nfile = \"" + path() + "\"\n");
         m_site->start();
         m_console = std::make_unique<OtherConsole>(m_site->fileOf("other"));
         ASSERT_TRUE(eventually([this] { return m_console->controller() == "other"; }));
@@ -224,6 +229,34 @@ TEST_F(SiteOtherConsole, isToldWhyAnArmDoesNotMove) {
     EXPECT_TRUE(refusedAs({9, twist, {}}, site::CommandRefusal::unknownArm)) << "no such kind";
     EXPECT_TRUE(refusedAs({2, {0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0}, {}}, site::CommandRefusal::notFinite));
     EXPECT_LT(distanceTo(before), 1e-3);
+}
+
+TEST_F(SiteOtherConsole, isToldWhatTheArmIs) {
+    const auto participant = site_link::readRemoteSite(m_site->fileOf("other"))->meeting.join();
+    ASSERT_TRUE(participant) << core::describe(participant.error());
+    auto reader = *dds::Reader<ros::SiteInfo>::open(*participant, site_link::SiteTopics("lab").info(),
+                                                    site_link::kLatched);
+    std::ifstream file(kUrdf, std::ios::binary);
+    const QByteArray urdf = QByteArray::fromStdString(std::string(std::istreambuf_iterator<char>(file), {}));
+    const QByteArray sum = QCryptographicHash::hash(urdf, QCryptographicHash::Sha256);
+    bool isTold = false;
+    EXPECT_TRUE(eventually([&] {
+        (void)reader.take([&](const ros::SiteInfo& info, const dds::SampleInfo&) {
+            const auto arms = ros::view(info.arms);
+            ASSERT_EQ(arms.size(), 1U);
+            EXPECT_STREQ(arms[0].tip_frame, "tool0");
+            EXPECT_STREQ(arms[0].adapter, "trajectory");
+            EXPECT_EQ(arms[0].tip_linear_m_per_s, 0.1);
+            EXPECT_EQ(arms[0].tip_angular_rad_per_s, 1.0);
+            EXPECT_TRUE(std::ranges::equal(arms[0].description_sha256, sum, [](auto one, char other) {
+                return static_cast<char>(one) == other;
+            }));
+            for (const auto& stream : ros::view(info.streams))
+                EXPECT_FALSE(stream.simulated) << stream.name;
+            isTold = true;
+        });
+        return isTold;
+    }));
 }
 
 } // namespace

@@ -120,6 +120,33 @@ TEST(Site, stopOfAViewerHoldsUntilItIsWithdrawn) {
     EXPECT_TRUE(console.moves());
 }
 
+/// The key of those who stand beside the robot.
+TEST(Site, stopAtTheSiteHoldsTheArmsAndItsWithdrawalFreesWhatAGoneConsoleHolds) {
+    SiteProcess site(94, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    takeOver(console);
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    site.send(SIGUSR1);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
+    EXPECT_EQ(console.view().stopHolders, std::vector<std::string>{"site"});
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.rests(200ms); }));
+    site.send(SIGUSR2);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+    EXPECT_TRUE(console.rests(300ms)) << "the switch was held through it";
+    console.letGo();
+
+    auto viewer = std::make_unique<TestConsole>(site, "v", true);
+    viewer->stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
+    viewer.reset();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().viewers.empty(); }));
+    EXPECT_EQ(console.view().mode, Mode::stopped);
+    site.send(SIGUSR2);
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+}
+
 TEST(Site, aConsoleThatEndsGivesControlUpAndStopsNobody) {
     SiteProcess site(89, kPractice);
     site.start();
