@@ -242,9 +242,30 @@ TEST_F(Failures, theArmRestsWhateverFails) {
     const auto fault = [this](const char* kind) {
         return [this, kind] { robot(std::string("fault ") + kind); };
     };
+    const auto under = [this](const LinkConditions& conditions) {
+        return [this, conditions] {
+            setBoth(conditions);
+            std::this_thread::sleep_for(500ms);
+        };
+    };
     const double pad_s = 1e-9 * static_cast<double>(core::staleAfter_ns(100.0));
     const std::vector<Row> rows{
         {"switch let go", kWay_s + kBraking_s, [this] { m_console->say("let_go"); }},
+        {.failure = "switch let go at 5 % loss",
+         .bound_s = kWay_s + kBraking_s,
+         .fails = [this] { m_console->say("let_go"); },
+         .ends = [&] { setBoth(usual); },
+         .before = under({.delay_s = kWay_s, .loss = 0.05})},
+        {.failure = "switch let go at 20 % loss",
+         .bound_s = kWay_s + kBraking_s,
+         .fails = [this] { m_console->say("let_go"); },
+         .ends = [&] { setBoth(usual); },
+         .before = under({.delay_s = kWay_s, .loss = 0.2})},
+        {.failure = "switch let go, packets doubled and out of order",
+         .bound_s = kWay_s + 0.01 + kBraking_s,
+         .fails = [this] { m_console->say("let_go"); },
+         .ends = [&] { setBoth(usual); },
+         .before = under({.delay_s = kWay_s, .jitter_s = 0.01, .repeat = 0.3})},
         {.failure = "3D mouse unplugged",
          .bound_s = kWay_s + kBraking_s,
          .fails = [this] { m_console->say("unplug"); },
@@ -260,6 +281,17 @@ TEST_F(Failures, theArmRestsWhateverFails) {
              m_console->send(SIGCONT);
          },
          false, Mode::held},
+        {.failure = "console offers control and is killed",
+         .bound_s = kWay_s + kBraking_s,
+         .fails =
+             [this] {
+                 m_console->say("offer console2");
+                 std::this_thread::sleep_for(100ms);
+                 m_console->send(SIGKILL);
+             },
+         .ends = after(2s, [] {}),
+         .mode = Mode::free,
+         .before = [this] { m_second = join("console2"); }},
         {"console killed, another one presses without control", kWay_s + kLease_s + kPoints_s,
          ofConsole(SIGKILL), [this] { pressWithoutControl(); }, false, Mode::free},
         {"view of the console frozen", kWay_s + 0.2 + kBraking_s, [this] { m_console->say("freeze"); }},

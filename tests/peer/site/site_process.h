@@ -57,12 +57,17 @@ public:
     /// Before start().
     void setDevices(const std::string& devices) {
         std::ofstream file(m_folder.filePath("site.toml").toStdString());
-        file << "kind = \"site\"\nname = \"lab\"\nsupervisors = [\"boss\"]\n" << meeting("site") << devices;
+        file << "kind = \"site\"\nname = \"lab\"\nsupervisors = [\"boss\"]\n"
+             << (m_recordings.isEmpty() ? "" : "record = true\n") << meeting("site") << devices;
     }
+    /// It records there. Before setDevices().
+    void recordInto(const QString& folder) { m_recordings = folder; }
 
     void start() {
-        m_process.start(QStringLiteral(TELETA_SITE_PROGRAM), {m_folder.filePath("site.toml"), "--json"},
-                        true);
+        QStringList arguments{m_folder.filePath("site.toml"), "--json"};
+        if (!m_recordings.isEmpty())
+            arguments << "--recordings" << m_recordings;
+        m_process.start(QStringLiteral(TELETA_SITE_PROGRAM), arguments, true);
         ASSERT_TRUE(m_process.waitFor("\"ready\""));
         m_id = m_process.processId();
     }
@@ -98,6 +103,7 @@ private:
 
     int m_domain;
     std::string m_keys; ///< folder of the keys; empty: it has none
+    QString m_recordings;
     QTemporaryDir m_folder;
     PeerProcess m_process;
     qint64 m_id = 0;

@@ -3,6 +3,7 @@
 // its own.
 #include "tests/app/cli/program_run.h"
 #include "tests/peer/site/site_process.h"
+#include "tests/support/small_disk.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -145,6 +146,28 @@ TEST(Site, stopAtTheSiteHoldsTheArmsAndItsWithdrawalFreesWhatAGoneConsoleHolds) 
     EXPECT_EQ(console.view().mode, Mode::stopped);
     site.send(SIGUSR2);
     EXPECT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+}
+
+/// The arms go on, and the consoles are told.
+TEST(Site, aFullDiskEndsTheRecordingAndNothingElse) {
+    SiteProcess site(95, kPractice);
+    const test::SmallDisk disk(site.folder().filePath("disk").toStdString(), 4);
+    if (!disk.exists())
+        GTEST_SKIP() << "needs the right to mount a disk";
+    site.recordInto(QString::fromStdString(disk.path("")));
+    site.setDevices(kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    takeOver(console);
+    ASSERT_TRUE(disk.fill());
+    bool isTold = false;
+    EXPECT_TRUE(TestConsole::eventually([&] {
+        for (const site_link::RemoteEvent& event : console.client().takeEvents())
+            isTold = isTold || event.code == "recording_failed";
+        return isTold;
+    }));
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.moves());
 }
 
 TEST(Site, aConsoleThatEndsGivesControlUpAndStopsNobody) {
