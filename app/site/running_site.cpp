@@ -102,6 +102,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
                                                                const std::string& recordings, SiteLog& log,
                                                                const std::function<bool()>& cancelled) {
     std::unique_ptr<RunningSite> site(new RunningSite(log));
+    TELETA_CHECK(file.meeting.checkInterface());
     TELETA_TRY(const auto participant, file.meeting.join());
     const site_link::SiteTopics topics(file.name);
     const site::BootName boot = site_link::newBootName();
@@ -139,6 +140,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
 core::Expected<std::unique_ptr<RunningSite>>
 RunningSite::openForCheck(const SiteFile& file, SiteLog& log, const std::function<bool()>& cancelled) {
     std::unique_ptr<RunningSite> site(new RunningSite(log));
+    TELETA_CHECK(file.meeting.checkInterface());
     TELETA_TRY(const auto participant, file.meeting.join());
     site->m_meeting = file.meeting;
     site->lookAtKeys();

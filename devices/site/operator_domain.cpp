@@ -2,10 +2,18 @@
 #include "devices/site/operator_domain.h"
 
 #include "backend/core/beside_file.h"
+#include "backend/core/failure.h"
 #include "backend/site_keys/site_keys.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
+
+#include <arpa/inet.h>
+#include <array>
+#include <ifaddrs.h>
+#include <memory>
+#include <net/if.h>
+#include <netinet/in.h>
 
 namespace teleta::site_link {
 
@@ -15,7 +23,39 @@ struct OperatorDomainText {
     Q_DECLARE_TR_FUNCTIONS(OperatorDomainText)
 };
 
+/// Flags IFF_... of an interface, by its name or by one of its IPv4 addresses; empty: there is none.
+std::optional<unsigned> flagsOf(const std::string& interface) {
+    ifaddrs* all = nullptr;
+    if (getifaddrs(&all) != 0)
+        return std::nullopt;
+    const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(all, freeifaddrs);
+    for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
+        std::array<char, INET_ADDRSTRLEN> address{};
+        if (one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET)
+            (void)inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr,
+                            address.data(), address.size());
+        if (interface == one->ifa_name || interface == address.data())
+            return one->ifa_flags;
+    }
+    return std::nullopt;
+}
+
 } // namespace
+
+core::Expected<void> OperatorDomain::checkInterface() const {
+    if (!security || anyInterface || dds::isLoopback(domain.interface))
+        return {};
+    if (const std::optional<unsigned> flags = flagsOf(domain.interface);
+        domain.interface.empty() || (flags && (*flags & IFF_POINTOPOINT) == 0))
+        return core::failed(
+            core::ErrorKind::badInput,
+            domain.interface.empty()
+                ? OperatorDomainText::tr("no interface is named, so that each network reaches the site")
+                : OperatorDomainText::tr("%1 is no tunnel, so that its whole network reaches the site")
+                      .arg(QString::fromStdString(domain.interface)),
+            OperatorDomainText::tr("interface: that of a VPN; or security_bind = \"any\""));
+    return {};
+}
 
 std::vector<std::string> OperatorDomain::keyWarnings() const {
     std::vector<std::string> warnings;
@@ -44,6 +84,7 @@ OperatorDomain readOperatorDomain(core::TomlTable& root, const std::string& file
             OperatorDomainText::tr("without certificates anybody on this network could move the arm")
                 .toStdString(),
             OperatorDomainText::tr("security = \"certificates\", or interface = \"lo\"").toStdString());
+    found.anyInterface = table.has("security_bind") && table.choice("security_bind", {"tunnel", "any"}) == 1;
     table.finish();
     return found;
 }

@@ -20,11 +20,16 @@ struct OperatorDomain {
 
     dds::DomainConfig domain;
     std::optional<dds::Security> security; ///< empty: none, on the loopback interface only
+    bool anyInterface = false; ///< security_bind = "any": a site may be on a network that others use, too
 
     /// Error: as dds::Participant::open(). Thread: any.
     [[nodiscard]] core::Expected<std::shared_ptr<const dds::Participant>> join() const {
         return dds::Participant::open(domain, {}, security);
     }
+    /// Whether a site may be there: on the loopback interface, on a tunnel such as that of a VPN, or wherever
+    /// anyInterface says so. Whoever reaches the ports reaches the middleware before anybody has proven who
+    /// he is. Error: badInput. An interface that does not exist is join()'s to refuse. Thread: any.
+    [[nodiscard]] core::Expected<void> checkInterface() const;
     /// What to know of the keys although they may be used, a translated sentence each: for example that they
     /// end within 14 days. Reads the files. Thread: any.
     [[nodiscard]] std::vector<std::string> keyWarnings() const;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <ifaddrs.h>
+#include <net/if.h>
+
 namespace teleta::site_link {
 namespace {
 
@@ -48,6 +51,36 @@ TEST(RemoteSiteFile, withoutSecurityNobodyElseMayListen) {
     const std::string error = errorOf(open + "\"eth0\"\n");
     EXPECT_NE(error.find("lab.toml:5"), std::string::npos) << error;
     EXPECT_NE(error.find("anybody on this network could move the arm"), std::string::npos) << error;
+}
+
+/// Of a site: consoles may be anywhere.
+TEST(RemoteSiteFile, aSiteIsOnATunnelUnlessItsFileSaysOtherwise) {
+    auto file = parseRemoteSite(kWhole, "/files/lab.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    OperatorDomain meeting = file->meeting;
+    EXPECT_FALSE(meeting.anyInterface);
+    EXPECT_TRUE(meeting.checkInterface()) << "who joins says that wg0 is not there";
+    meeting.domain.interface = "lo";
+    EXPECT_TRUE(meeting.checkInterface());
+    meeting.domain.interface = "";
+    const auto refused = meeting.checkInterface();
+    ASSERT_FALSE(refused);
+    EXPECT_NE(core::describe(refused.error()).find("security_bind = \"any\""), std::string::npos);
+    ifaddrs* all = nullptr;
+    ASSERT_EQ(getifaddrs(&all), 0);
+    for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
+        if ((one->ifa_flags & (IFF_LOOPBACK | IFF_POINTOPOINT)) != 0)
+            continue;
+        meeting.domain.interface = one->ifa_name;
+        EXPECT_FALSE(meeting.checkInterface()) << one->ifa_name;
+    }
+    freeifaddrs(all);
+    meeting.domain.interface = "";
+    meeting.anyInterface = true;
+    EXPECT_TRUE(meeting.checkInterface());
+    file = parseRemoteSite(std::string(kWhole) + "security_bind = \"any\"\n", "/files/lab.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_TRUE(file->meeting.anyInterface);
 }
 
 TEST(RemoteSiteFile, saysWhatIsWrongAndWhere) {
