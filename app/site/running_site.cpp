@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <thread>
 #include <utility>
 
@@ -125,6 +126,7 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
         if (auto* joints = dynamic_cast<pipeline::JointChannel*>(device.channel.get()))
             arms.push_back(armOf(device.id, *joints));
     }
+    TELETA_CHECK(site->startPublishing(file));
     if (file.record)
         TELETA_CHECK(site->startRecording(file, recordings));
     site_link::SiteSettings settings{file.name, app::version().text().toStdString(), file.supervisors,
@@ -160,6 +162,7 @@ RunningSite::~RunningSite() {
         if (!device.channel)
             continue;
         device.channel->watch(pipeline::Watcher::liveView, nullptr, device.id);
+        device.channel->watch(pipeline::Watcher::plot, nullptr, device.id);
         if (m_recorder)
             device.channel->record(nullptr, device.id);
     }
@@ -254,6 +257,25 @@ core::Expected<void> RunningSite::checkRequired() const {
                     RunningSiteText::tr("ids of the site's devices"));
         }
     }
+    return {};
+}
+
+core::Expected<void> RunningSite::startPublishing(const SiteFile& file) {
+    if (!file.publishing)
+        return {};
+    TELETA_TRY(auto participant, dds::Participant::open(file.publishing->domain));
+    std::map<std::string, std::string> frames;
+    for (const SiteDevice& device : file.devices) {
+        if (device.pad)
+            frames.emplace(device.id, device.pad->link);
+    }
+    m_publisher = std::make_shared<ros_arm::TactilePublisher>(std::move(participant), std::move(frames),
+                                                              file.publishing->reliable);
+    // Nobody plots here.
+    for (const Device& device : m_devices)
+        device.channel->watch(pipeline::Watcher::plot, m_publisher, device.id);
+    if (const auto failure = m_publisher->failure())
+        return core::Unexpected(*failure);
     return {};
 }
 

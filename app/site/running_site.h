@@ -9,6 +9,7 @@
 #include "backend/pipeline/channel.h"
 #include "backend/pipeline/touch_pipeline.h"
 #include "backend/recording/recorder.h"
+#include "devices/ros/publish/tactile_publisher.h"
 #include "devices/site/site_control.h"
 #include "devices/site/site_streams.h"
 
@@ -67,6 +68,7 @@ private:
     [[nodiscard]] core::Expected<void> placePads(const SiteFile& file);
     /// Error: badInput, an arm requires a device that the site does not have.
     [[nodiscard]] core::Expected<void> checkRequired() const;
+    [[nodiscard]] core::Expected<void> startPublishing(const SiteFile& file);
     [[nodiscard]] core::Expected<void> startRecording(const SiteFile& file, const std::string& folder);
     void tell(const site_link::SiteNews& news);
     /// Also to the consoles.
@@ -85,7 +87,8 @@ private:
     std::int64_t m_nextKeys_ns = 0;
     std::vector<std::string> m_keyWarnings; ///< as they were told last
     std::shared_ptr<site_link::SiteStreams> m_streams;
-    std::unique_ptr<site_link::SiteControl> m_control; ///< the first to go
+    std::shared_ptr<ros_arm::TactilePublisher> m_publisher; ///< null: nothing is sent to ROS 2
+    std::unique_ptr<site_link::SiteControl> m_control;      ///< the first to go
 };
 
 } // namespace teleta::site_program

@@ -146,6 +146,10 @@ core::Expected<SiteFile> read(const core::TomlDocument& document, const std::str
     site.times.loopLimit_ns = milliseconds(root, "loop_limit_ms", 50, 5'000, site.times.loopLimit_ns);
     site.record = root.boolean("record", false);
     site.meeting = site_link::readOperatorDomain(root, path);
+    const bool reliable = root.boolean("ros_reliable", false);
+    const std::optional<dds::DomainConfig> ros = ros_arm::readRos(root);
+    if (root.boolean("publish_tactile_state", false))
+        site.publishing = SiteFile::Publishing{ros.value_or(dds::DomainConfig()), reliable};
     std::set<std::string> ids;
     for (TomlTable& table : root.tables("device", 1)) {
         readDevice(table, path, site);

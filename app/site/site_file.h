@@ -31,6 +31,13 @@ struct SiteFile {
     std::set<std::string> supervisors; ///< consoles that may take control over and withdraw STOP of others
     site::LeaseTimes times;
     bool record = false;
+    /// Where its arrays are sent to programs of ROS 2, and whether reliably (ros_reliable); empty: nowhere
+    /// (publish_tactile_state = false).
+    struct Publishing {
+        dds::DomainConfig domain;
+        bool reliable = false;
+    };
+    std::optional<Publishing> publishing;
     site_link::OperatorDomain meeting;
     std::vector<SiteDevice> devices; ///< at least one
 };

@@ -27,12 +27,17 @@ motion_lease_ms = 120
 control_lease_ms = 3000
 loop_limit_ms = 400
 record = true
+publish_tactile_state = true
+ros_reliable = true
 [operator]
 domain = 71
 interface = "wg0"
 peers = ["10.8.0.2", "10.8.0.3"]
 security = "certificates"
 certificates = "keys/site"
+[ros]
+domain = 5
+interface = "eth1"
 [[device]]
 file = "arm.toml"
 [[device]]
@@ -54,6 +59,9 @@ scene = ":/scenes/teleoperation.toml"
     EXPECT_EQ(file->times.control_ns, 3'000'000'000);
     EXPECT_EQ(file->times.loopLimit_ns, 400'000'000);
     EXPECT_TRUE(file->record);
+    ASSERT_TRUE(file->publishing);
+    EXPECT_TRUE(file->publishing->reliable);
+    EXPECT_EQ(file->publishing->domain, (dds::DomainConfig{5, "eth1", {}}));
     ASSERT_TRUE(file->meeting.security);
     EXPECT_EQ(file->meeting.security->folder, "/files/keys/site");
     ASSERT_EQ(file->devices.size(), 4U);

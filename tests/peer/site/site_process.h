@@ -58,8 +58,11 @@ public:
     void setDevices(const std::string& devices) {
         std::ofstream file(m_folder.filePath("site.toml").toStdString());
         file << "kind = \"site\"\nname = \"lab\"\nsupervisors = [\"boss\"]\n"
-             << (m_recordings.isEmpty() ? "" : "record = true\n") << meeting("site") << devices;
+             << m_keysOfFile << (m_recordings.isEmpty() ? "" : "record = true\n") << meeting("site")
+             << devices;
     }
+    /// More lines of the file, before its tables. Before setDevices().
+    void setKeysOfFile(const std::string& lines) { m_keysOfFile = lines; }
     /// It records there. Before setDevices().
     void recordInto(const QString& folder) { m_recordings = folder; }
 
@@ -104,6 +107,7 @@ private:
     int m_domain;
     std::string m_keys; ///< folder of the keys; empty: it has none
     QString m_recordings;
+    std::string m_keysOfFile;
     QTemporaryDir m_folder;
     PeerProcess m_process;
     qint64 m_id = 0;
