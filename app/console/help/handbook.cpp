@@ -16,10 +16,11 @@ QString firstHeading(const QString& text) {
 
 const QStringList& handbookGuide() {
     static const QStringList pages{
-        QStringLiteral("first-steps"), QStringLiteral("operate"),  QStringLiteral("teleoperation"),
-        QStringLiteral("two-sites"),   QStringLiteral("devices"),  QStringLiteral("recordings"),
-        QStringLiteral("plot"),        QStringLiteral("patterns"), QStringLiteral("study"),
-        QStringLiteral("calibrate"),   QStringLiteral("cost"),     QStringLiteral("sweeps")};
+        QStringLiteral("first-steps"),   QStringLiteral("operate"),   QStringLiteral("teleoperation"),
+        QStringLiteral("arm-over-ros2"), QStringLiteral("two-sites"), QStringLiteral("devices"),
+        QStringLiteral("recordings"),    QStringLiteral("plot"),      QStringLiteral("patterns"),
+        QStringLiteral("study"),         QStringLiteral("calibrate"), QStringLiteral("cost"),
+        QStringLiteral("sweeps")};
     return pages;
 }
 
