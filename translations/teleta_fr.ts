@@ -39,24 +39,24 @@
         <translation>Espace</translation>
     </message>
     <message>
-        <source>Play or pause, in the playback bar</source>
-        <translation>Lecture ou pause, dans la barre de lecture</translation>
+        <source>Play or pause</source>
+        <translation>Lecture ou pause</translation>
     </message>
     <message>
         <source>Left, Right</source>
         <translation>Gauche, Droite</translation>
     </message>
     <message>
-        <source>One frame back or forward, in the playback bar</source>
-        <translation>Une trame en arrière ou en avant, dans la barre de lecture</translation>
+        <source>One frame back or forward</source>
+        <translation>Une trame en arrière ou en avant</translation>
     </message>
     <message>
         <source>Home, End</source>
         <translation>Début, Fin</translation>
     </message>
     <message>
-        <source>Start or end of the recording, in the playback bar</source>
-        <translation>Début ou fin de l’enregistrement, dans la barre de lecture</translation>
+        <source>Start or end of the recording</source>
+        <translation>Début ou fin de l’enregistrement</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -123,16 +123,16 @@
         <translation>Espace, P</translation>
     </message>
     <message>
-        <source>Play or pause; pen; in the timeline of a pattern</source>
-        <translation>Lecture ou pause&#xa0;; crayon&#xa0;; dans la chronologie d’un motif</translation>
+        <source>Play or pause; pen</source>
+        <translation>Lecture ou pause&#xa0;; crayon</translation>
     </message>
     <message>
         <source>Ctrl+N, O, S, Shift+S, E</source>
         <translation>Ctrl+N, O, S, Shift+S, E</translation>
     </message>
     <message>
-        <source>New, open, save, save as, export, on the page Patterns</source>
-        <translation>Nouveau, ouvrir, enregistrer, enregistrer sous, exporter, sur la page Motifs</translation>
+        <source>New, open, save, save as, export</source>
+        <translation>Nouveau, ouvrir, enregistrer, enregistrer sous, exporter</translation>
     </message>
     <message>
         <source>Ctrl+Z, Ctrl+Y</source>
@@ -143,8 +143,8 @@
         <translation>Ctrl+X, C, V, Shift+V, D</translation>
     </message>
     <message>
-        <source>Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline</source>
-        <translation>Couper, copier, coller sur place, coller à la tête de lecture, dupliquer, dans la chronologie</translation>
+        <source>Cut, copy, paste in place, paste at the playhead, duplicate</source>
+        <translation>Couper, copier, coller sur place, coller à la tête de lecture, dupliquer</translation>
     </message>
     <message>
         <source>,  .  with Shift</source>
@@ -155,16 +155,16 @@
         <translation>N, Shift+N</translation>
     </message>
     <message>
-        <source>Next or previous object, in the timeline</source>
-        <translation>Objet suivant ou précédent, dans la chronologie</translation>
+        <source>Next or previous object</source>
+        <translation>Objet suivant ou précédent</translation>
     </message>
     <message>
         <source>Enter, Insert, Delete</source>
         <translation>Entrée, Inser, Suppr</translation>
     </message>
     <message>
-        <source>Type numbers, add a breakpoint at the playhead, delete, in the timeline</source>
-        <translation>Saisir des nombres, ajouter un nœud à la tête de lecture, supprimer, dans la chronologie</translation>
+        <source>Type numbers, add a breakpoint at the playhead, delete</source>
+        <translation>Saisir des nombres, ajouter un nœud à la tête de lecture, supprimer</translation>
     </message>
     <message>
         <source>Arrow keys, with Shift</source>
@@ -179,32 +179,32 @@
         <translation>Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L</translation>
     </message>
     <message>
-        <source>Rotate around the ring, mirror, other arm, on the page Patterns</source>
-        <translation>Tourner autour de l’anneau, mettre en miroir, autre bras, sur la page Motifs</translation>
+        <source>Rotate around the ring, mirror, other arm</source>
+        <translation>Tourner autour de l’anneau, mettre en miroir, autre bras</translation>
     </message>
     <message>
         <source>Ctrl+Alt+1 to 5</source>
         <translation>Ctrl+Alt+1 à 5</translation>
     </message>
     <message>
-        <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead, on the page Patterns</source>
-        <translation>Ajouter un balayage, un anneau, un fantôme, une rampe, un train d’impulsions à la tête de lecture, sur la page Motifs</translation>
+        <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead</source>
+        <translation>Ajouter un balayage, un anneau, un fantôme, une rampe, un train d’impulsions à la tête de lecture</translation>
     </message>
     <message>
         <source>Ctrl++, Ctrl+-, Ctrl+0</source>
         <translation>Ctrl++, Ctrl+-, Ctrl+0</translation>
     </message>
     <message>
-        <source>Zoom in, out, to fit, in the timeline</source>
-        <translation>Zoom avant, arrière, ajusté, dans la chronologie</translation>
+        <source>Zoom in, out, to fit</source>
+        <translation>Zoom avant, arrière, ajusté</translation>
     </message>
     <message>
         <source>F2, Ctrl+D, Delete, Ctrl+Z</source>
         <translation>F2, Ctrl+D, Suppr, Ctrl+Z</translation>
     </message>
     <message>
-        <source>Rename, duplicate, delete, undo, in the library of patterns</source>
-        <translation>Renommer, dupliquer, supprimer, annuler, dans la bibliothèque de motifs</translation>
+        <source>Rename, duplicate, delete, undo, in the library</source>
+        <translation>Renommer, dupliquer, supprimer, annuler, dans la bibliothèque</translation>
     </message>
     <message>
         <source>Ctrl+R, M</source>
@@ -223,28 +223,28 @@
         <translation>Manuel&#xa0;: la page sur ce qui est affiché</translation>
     </message>
     <message>
-        <source>Ctrl+1 to 5</source>
-        <translation>Ctrl+1 à 5</translation>
+        <source>Ctrl+1 to 6</source>
+        <translation>Ctrl+1 à 6</translation>
     </message>
     <message>
-        <source>Page Operate, Patterns, Study, Calibrate, Cost</source>
-        <translation>Page Conduite, Motifs, Étude, Étalonnage, Coût</translation>
+        <source>Page Operate, Patterns, Study, Calibrate, Cost, Plot</source>
+        <translation>Page Conduite, Motifs, Étude, Étalonnage, Coût, Tracé</translation>
     </message>
     <message>
         <source>F5, Shift+F5, Ctrl+F5</source>
         <translation>F5, Shift+F5, Ctrl+F5</translation>
     </message>
     <message>
-        <source>Run the program of the arm, hold it, restart it, on the page Operate</source>
-        <translation>Exécuter le programme du bras, le maintenir, le recommencer, sur la page Conduite</translation>
+        <source>Run the program of the arm, hold it, restart it</source>
+        <translation>Exécuter le programme du bras, le maintenir, le recommencer</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
         <translation>Ctrl+Shift+N</translation>
     </message>
     <message>
-        <source>Forget the explored contour, on the page Operate</source>
-        <translation>Oublier le contour exploré, sur la page Conduite</translation>
+        <source>Forget the explored contour</source>
+        <translation>Oublier le contour exploré</translation>
     </message>
     <message>
         <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
@@ -255,16 +255,16 @@
         <translation>STOP&#xa0;: tout ce qui bouge s’arrête aussitôt</translation>
     </message>
     <message>
-        <source>Previous or next breakpoint; with Shift, add it to the selection, in the timeline</source>
-        <translation>Nœud précédent ou suivant, un de plus avec Shift, dans la chronologie</translation>
+        <source>Previous or next breakpoint; with Shift, add it to the selection</source>
+        <translation>Nœud précédent ou suivant, un de plus avec Shift</translation>
     </message>
     <message>
-        <source>Move the selection; without one, the playhead and the lane, in the timeline</source>
-        <translation>Déplacer la sélection, sinon la tête de lecture et la piste, dans la chronologie</translation>
+        <source>Move the selection; without one, the playhead and the lane</source>
+        <translation>Déplacer la sélection, sinon la tête de lecture et la piste</translation>
     </message>
     <message>
-        <source>Loop start, loop end, no loop, in the timeline</source>
-        <translation>Début de la boucle, sa fin, pas de boucle, dans la chronologie</translation>
+        <source>Loop start, loop end, no loop</source>
+        <translation>Début de la boucle, sa fin, pas de boucle</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -275,8 +275,8 @@
         <translation>Sur la page Conduite</translation>
     </message>
     <message>
-        <source>In the playback bar and the charts</source>
-        <translation>Dans la barre de lecture et les courbes</translation>
+        <source>In the playback bar</source>
+        <translation>Dans la barre de lecture</translation>
     </message>
     <message>
         <source>On the page Patterns</source>
@@ -285,6 +285,10 @@
     <message>
         <source>In the timeline of a pattern</source>
         <translation>Dans la chronologie d’un motif</translation>
+    </message>
+    <message>
+        <source>In pictures and charts</source>
+        <translation>Dans les images et les graphiques</translation>
     </message>
 </context>
 <context>

@@ -39,24 +39,24 @@
         <translation>Space</translation>
     </message>
     <message>
-        <source>Play or pause, in the playback bar</source>
-        <translation>再生または一時停止 (再生バー)</translation>
+        <source>Play or pause</source>
+        <translation>再生または一時停止</translation>
     </message>
     <message>
         <source>Left, Right</source>
         <translation>←, →</translation>
     </message>
     <message>
-        <source>One frame back or forward, in the playback bar</source>
-        <translation>1フレーム戻る、または進む (再生バー)</translation>
+        <source>One frame back or forward</source>
+        <translation>1フレーム戻る、または進む</translation>
     </message>
     <message>
         <source>Home, End</source>
         <translation>Home, End</translation>
     </message>
     <message>
-        <source>Start or end of the recording, in the playback bar</source>
-        <translation>記録の先頭または末尾 (再生バー)</translation>
+        <source>Start or end of the recording</source>
+        <translation>記録の先頭または末尾</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -123,16 +123,16 @@
         <translation>Space, P</translation>
     </message>
     <message>
-        <source>Play or pause; pen; in the timeline of a pattern</source>
-        <translation>再生または一時停止、ペン (パターンのタイムライン)</translation>
+        <source>Play or pause; pen</source>
+        <translation>再生または一時停止、ペン</translation>
     </message>
     <message>
         <source>Ctrl+N, O, S, Shift+S, E</source>
         <translation>Ctrl+N, O, S, Shift+S, E</translation>
     </message>
     <message>
-        <source>New, open, save, save as, export, on the page Patterns</source>
-        <translation>新規、開く、保存、名前を付けて保存、エクスポート (パターンページ)</translation>
+        <source>New, open, save, save as, export</source>
+        <translation>新規、開く、保存、名前を付けて保存、エクスポート</translation>
     </message>
     <message>
         <source>Ctrl+Z, Ctrl+Y</source>
@@ -143,8 +143,8 @@
         <translation>Ctrl+X, C, V, Shift+V, D</translation>
     </message>
     <message>
-        <source>Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline</source>
-        <translation>切り取り、コピー、同じ位置に貼り付け、再生ヘッドに貼り付け、複製 (タイムライン)</translation>
+        <source>Cut, copy, paste in place, paste at the playhead, duplicate</source>
+        <translation>切り取り、コピー、同じ位置に貼り付け、再生ヘッドに貼り付け、複製</translation>
     </message>
     <message>
         <source>,  .  with Shift</source>
@@ -155,16 +155,16 @@
         <translation>N, Shift+N</translation>
     </message>
     <message>
-        <source>Next or previous object, in the timeline</source>
-        <translation>次または前のオブジェクト (タイムライン)</translation>
+        <source>Next or previous object</source>
+        <translation>次または前のオブジェクト</translation>
     </message>
     <message>
         <source>Enter, Insert, Delete</source>
         <translation>Enter, Insert, Delete</translation>
     </message>
     <message>
-        <source>Type numbers, add a breakpoint at the playhead, delete, in the timeline</source>
-        <translation>数値を入力、再生ヘッドにブレークポイントを追加、削除 (タイムライン)</translation>
+        <source>Type numbers, add a breakpoint at the playhead, delete</source>
+        <translation>数値を入力、再生ヘッドにブレークポイントを追加、削除</translation>
     </message>
     <message>
         <source>Arrow keys, with Shift</source>
@@ -179,32 +179,32 @@
         <translation>Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L</translation>
     </message>
     <message>
-        <source>Rotate around the ring, mirror, other arm, on the page Patterns</source>
-        <translation>リングに沿って回転、反転、反対の腕 (パターンページ)</translation>
+        <source>Rotate around the ring, mirror, other arm</source>
+        <translation>リングに沿って回転、反転、反対の腕</translation>
     </message>
     <message>
         <source>Ctrl+Alt+1 to 5</source>
         <translation>Ctrl+Alt+1～5</translation>
     </message>
     <message>
-        <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead, on the page Patterns</source>
-        <translation>再生ヘッドにスイープ、リング、ファントム、ランプ、パルス列を追加 (パターンページ)</translation>
+        <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead</source>
+        <translation>再生ヘッドにスイープ、リング、ファントム、ランプ、パルス列を追加</translation>
     </message>
     <message>
         <source>Ctrl++, Ctrl+-, Ctrl+0</source>
         <translation>Ctrl++, Ctrl+-, Ctrl+0</translation>
     </message>
     <message>
-        <source>Zoom in, out, to fit, in the timeline</source>
-        <translation>拡大、縮小、全体表示 (タイムライン)</translation>
+        <source>Zoom in, out, to fit</source>
+        <translation>拡大、縮小、全体表示</translation>
     </message>
     <message>
         <source>F2, Ctrl+D, Delete, Ctrl+Z</source>
         <translation>F2, Ctrl+D, Delete, Ctrl+Z</translation>
     </message>
     <message>
-        <source>Rename, duplicate, delete, undo, in the library of patterns</source>
-        <translation>名前の変更、複製、削除、元に戻す (パターンライブラリ)</translation>
+        <source>Rename, duplicate, delete, undo, in the library</source>
+        <translation>名前の変更、複製、削除、元に戻す (ライブラリ)</translation>
     </message>
     <message>
         <source>Ctrl+R, M</source>
@@ -223,28 +223,28 @@
         <translation>ハンドブック: 表示中の画面についてのページ</translation>
     </message>
     <message>
-        <source>Ctrl+1 to 5</source>
-        <translation>Ctrl+1～5</translation>
+        <source>Ctrl+1 to 6</source>
+        <translation>Ctrl+1～6</translation>
     </message>
     <message>
-        <source>Page Operate, Patterns, Study, Calibrate, Cost</source>
-        <translation>操作、パターン、実験、キャリブレーション、コストのページ</translation>
+        <source>Page Operate, Patterns, Study, Calibrate, Cost, Plot</source>
+        <translation>操作、パターン、実験、キャリブレーション、コスト、プロットのページ</translation>
     </message>
     <message>
         <source>F5, Shift+F5, Ctrl+F5</source>
         <translation>F5, Shift+F5, Ctrl+F5</translation>
     </message>
     <message>
-        <source>Run the program of the arm, hold it, restart it, on the page Operate</source>
-        <translation>アームのプログラムの実行、保持、再開始 (操作ページ)</translation>
+        <source>Run the program of the arm, hold it, restart it</source>
+        <translation>アームのプログラムの実行、保持、再開始</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
         <translation>Ctrl+Shift+N</translation>
     </message>
     <message>
-        <source>Forget the explored contour, on the page Operate</source>
-        <translation>探索した輪郭を破棄 (操作ページ)</translation>
+        <source>Forget the explored contour</source>
+        <translation>探索した輪郭を破棄</translation>
     </message>
     <message>
         <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
@@ -255,16 +255,16 @@
         <translation>STOP: 動いているものをすべて直ちに停止</translation>
     </message>
     <message>
-        <source>Previous or next breakpoint; with Shift, add it to the selection, in the timeline</source>
-        <translation>前または次のブレークポイント、Shiftで追加選択 (タイムライン)</translation>
+        <source>Previous or next breakpoint; with Shift, add it to the selection</source>
+        <translation>前または次のブレークポイント、Shiftで追加選択</translation>
     </message>
     <message>
-        <source>Move the selection; without one, the playhead and the lane, in the timeline</source>
-        <translation>選択したものを移動、選択がなければ再生ヘッドとレーンを移動 (タイムライン)</translation>
+        <source>Move the selection; without one, the playhead and the lane</source>
+        <translation>選択したものを移動、選択がなければ再生ヘッドとレーンを移動</translation>
     </message>
     <message>
-        <source>Loop start, loop end, no loop, in the timeline</source>
-        <translation>ループの先頭、末尾、ループなし (タイムライン)</translation>
+        <source>Loop start, loop end, no loop</source>
+        <translation>ループの先頭、末尾、ループなし</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -275,8 +275,8 @@
         <translation>操作ページ</translation>
     </message>
     <message>
-        <source>In the playback bar and the charts</source>
-        <translation>再生バーとグラフ</translation>
+        <source>In the playback bar</source>
+        <translation>再生バー</translation>
     </message>
     <message>
         <source>On the page Patterns</source>
@@ -285,6 +285,10 @@
     <message>
         <source>In the timeline of a pattern</source>
         <translation>パターンのタイムライン</translation>
+    </message>
+    <message>
+        <source>In pictures and charts</source>
+        <translation>画像とグラフ</translation>
     </message>
 </context>
 <context>

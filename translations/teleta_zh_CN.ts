@@ -39,24 +39,24 @@
         <translation>空格键</translation>
     </message>
     <message>
-        <source>Play or pause, in the playback bar</source>
-        <translation>在回放栏中：播放或暂停</translation>
+        <source>Play or pause</source>
+        <translation>播放或暂停</translation>
     </message>
     <message>
         <source>Left, Right</source>
         <translation>左、右方向键</translation>
     </message>
     <message>
-        <source>One frame back or forward, in the playback bar</source>
-        <translation>在回放栏中：后退或前进一帧</translation>
+        <source>One frame back or forward</source>
+        <translation>后退或前进一帧</translation>
     </message>
     <message>
         <source>Home, End</source>
         <translation>Home、End</translation>
     </message>
     <message>
-        <source>Start or end of the recording, in the playback bar</source>
-        <translation>在回放栏中：到记录的开头或末尾</translation>
+        <source>Start or end of the recording</source>
+        <translation>到记录的开头或末尾</translation>
     </message>
     <message>
         <source>Arrow keys</source>
@@ -123,16 +123,16 @@
         <translation>空格键、P</translation>
     </message>
     <message>
-        <source>Play or pause; pen; in the timeline of a pattern</source>
-        <translation>在图案的时间轴中：播放或暂停；画笔</translation>
+        <source>Play or pause; pen</source>
+        <translation>播放或暂停；画笔</translation>
     </message>
     <message>
         <source>Ctrl+N, O, S, Shift+S, E</source>
         <translation>Ctrl+N、O、S、Shift+S、E</translation>
     </message>
     <message>
-        <source>New, open, save, save as, export, on the page Patterns</source>
-        <translation>在“图案”页：新建、打开、保存、另存为、导出</translation>
+        <source>New, open, save, save as, export</source>
+        <translation>新建、打开、保存、另存为、导出</translation>
     </message>
     <message>
         <source>Ctrl+Z, Ctrl+Y</source>
@@ -143,8 +143,8 @@
         <translation>Ctrl+X、C、V、Shift+V、D</translation>
     </message>
     <message>
-        <source>Cut, copy, paste in place, paste at the playhead, duplicate, in the timeline</source>
-        <translation>在时间轴中：剪切、复制、原位粘贴、粘贴到播放头、创建副本</translation>
+        <source>Cut, copy, paste in place, paste at the playhead, duplicate</source>
+        <translation>剪切、复制、原位粘贴、粘贴到播放头、创建副本</translation>
     </message>
     <message>
         <source>,  .  with Shift</source>
@@ -155,16 +155,16 @@
         <translation>N、Shift+N</translation>
     </message>
     <message>
-        <source>Next or previous object, in the timeline</source>
-        <translation>在时间轴中：下一个或上一个对象</translation>
+        <source>Next or previous object</source>
+        <translation>下一个或上一个对象</translation>
     </message>
     <message>
         <source>Enter, Insert, Delete</source>
         <translation>Enter、Insert、Delete</translation>
     </message>
     <message>
-        <source>Type numbers, add a breakpoint at the playhead, delete, in the timeline</source>
-        <translation>在时间轴中：输入数值、在播放头处添加节点、删除</translation>
+        <source>Type numbers, add a breakpoint at the playhead, delete</source>
+        <translation>输入数值、在播放头处添加节点、删除</translation>
     </message>
     <message>
         <source>Arrow keys, with Shift</source>
@@ -179,31 +179,31 @@
         <translation>Ctrl+[、Ctrl+]、Ctrl+M、Ctrl+L</translation>
     </message>
     <message>
-        <source>Rotate around the ring, mirror, other arm, on the page Patterns</source>
-        <translation>在“图案”页：沿环旋转、镜像、换到另一只手臂</translation>
+        <source>Rotate around the ring, mirror, other arm</source>
+        <translation>沿环旋转、镜像、换到另一只手臂</translation>
     </message>
     <message>
         <source>Ctrl+Alt+1 to 5</source>
         <translation>Ctrl+Alt+1 至 5</translation>
     </message>
     <message>
-        <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead, on the page Patterns</source>
-        <translation>在“图案”页：在播放头处添加扫动、环绕、幻象、斜坡、脉冲串</translation>
+        <source>Add a sweep, ring, phantom, ramp, pulse train at the playhead</source>
+        <translation>在播放头处添加扫动、环绕、幻象、斜坡、脉冲串</translation>
     </message>
     <message>
         <source>Ctrl++, Ctrl+-, Ctrl+0</source>
         <translation>Ctrl++、Ctrl+-、Ctrl+0</translation>
     </message>
     <message>
-        <source>Zoom in, out, to fit, in the timeline</source>
-        <translation>在时间轴中：放大、缩小、适合窗口</translation>
+        <source>Zoom in, out, to fit</source>
+        <translation>放大、缩小、适合窗口</translation>
     </message>
     <message>
         <source>F2, Ctrl+D, Delete, Ctrl+Z</source>
         <translation>F2、Ctrl+D、Delete、Ctrl+Z</translation>
     </message>
     <message>
-        <source>Rename, duplicate, delete, undo, in the library of patterns</source>
+        <source>Rename, duplicate, delete, undo, in the library</source>
         <translation>在图案库中：重命名、创建副本、删除、撤销</translation>
     </message>
     <message>
@@ -223,28 +223,28 @@
         <translation>手册：有关当前画面的页面</translation>
     </message>
     <message>
-        <source>Ctrl+1 to 5</source>
-        <translation>Ctrl+1 至 5</translation>
+        <source>Ctrl+1 to 6</source>
+        <translation>Ctrl+1 至 6</translation>
     </message>
     <message>
-        <source>Page Operate, Patterns, Study, Calibrate, Cost</source>
-        <translation>“操作”、“图案”、“研究”、“标定”、“代价”页</translation>
+        <source>Page Operate, Patterns, Study, Calibrate, Cost, Plot</source>
+        <translation>“操作”、“图案”、“研究”、“标定”、“代价”、“绘图”页</translation>
     </message>
     <message>
         <source>F5, Shift+F5, Ctrl+F5</source>
         <translation>F5、Shift+F5、Ctrl+F5</translation>
     </message>
     <message>
-        <source>Run the program of the arm, hold it, restart it, on the page Operate</source>
-        <translation>在“操作”页：运行机械臂的程序、保持、重新开始</translation>
+        <source>Run the program of the arm, hold it, restart it</source>
+        <translation>运行机械臂的程序、保持、重新开始</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
         <translation>Ctrl+Shift+N</translation>
     </message>
     <message>
-        <source>Forget the explored contour, on the page Operate</source>
-        <translation>在“操作”页：清除已探索的轮廓</translation>
+        <source>Forget the explored contour</source>
+        <translation>清除已探索的轮廓</translation>
     </message>
     <message>
         <source>Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate</source>
@@ -255,16 +255,16 @@
         <translation>STOP：立即停止一切运动</translation>
     </message>
     <message>
-        <source>Previous or next breakpoint; with Shift, add it to the selection, in the timeline</source>
-        <translation>在时间轴中：上一个或下一个节点，再多选一个</translation>
+        <source>Previous or next breakpoint; with Shift, add it to the selection</source>
+        <translation>上一个或下一个节点；按住 Shift 则加入所选内容</translation>
     </message>
     <message>
-        <source>Move the selection; without one, the playhead and the lane, in the timeline</source>
-        <translation>在时间轴中：移动所选内容，无选择时移动播放头和轨道</translation>
+        <source>Move the selection; without one, the playhead and the lane</source>
+        <translation>移动所选内容，无选择时移动播放头和轨道</translation>
     </message>
     <message>
-        <source>Loop start, loop end, no loop, in the timeline</source>
-        <translation>在时间轴中：循环起点、循环终点、取消循环</translation>
+        <source>Loop start, loop end, no loop</source>
+        <translation>循环起点、循环终点、取消循环</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -275,8 +275,8 @@
         <translation>“操作”页</translation>
     </message>
     <message>
-        <source>In the playback bar and the charts</source>
-        <translation>播放栏和图表</translation>
+        <source>In the playback bar</source>
+        <translation>播放栏</translation>
     </message>
     <message>
         <source>On the page Patterns</source>
@@ -285,6 +285,10 @@
     <message>
         <source>In the timeline of a pattern</source>
         <translation>图案的时间轴</translation>
+    </message>
+    <message>
+        <source>In pictures and charts</source>
+        <translation>图像和图表</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QScreen>
 #include <QScrollBar>
+#include <QSet>
 #include <QTableWidget>
 #include <QTest>
 #include <QTextDocument>
@@ -29,7 +30,7 @@ private slots:
         for (int row = 0; row < table->rowCount(); ++row)
             keys << table->item(row, 0)->text();
         for (const char* known :
-             {"Ctrl+1 to 5", "F5, Shift+F5, Ctrl+F5", "Ctrl+Shift+N", "Ctrl+Z, Ctrl+Y", "F11", "F1"})
+             {"Ctrl+1 to 6", "F5, Shift+F5, Ctrl+F5", "Ctrl+Shift+N", "Ctrl+Z, Ctrl+Y", "F11", "F1"})
             QVERIFY2(keys.contains(QLatin1String(known)), known);
         QCOMPARE(table->item(0, 0)->text(), "Everywhere");
         QCOMPARE(table->columnSpan(0, 0), 2);
@@ -46,6 +47,38 @@ private slots:
             return cut;
         };
         QTRY_COMPARE(cutRows(), 0);
+    }
+
+    void aRowDoesNotSayItsHeadingAgain() {
+        QWidget window;
+        window.show();
+        teleta::console::openShortcuts(&window);
+        const auto* table = window.findChild<QTableWidget*>();
+        QVERIFY(table != nullptr);
+        const auto lastWord = [](const QString& text) {
+            return text.section(QLatin1Char(' '), -1).toLower();
+        };
+        QString heading;
+        QStringList said;
+        QSet<QString> headings;
+        for (int row = 0; row < table->rowCount(); ++row) {
+            if (table->item(row, 1) == nullptr) {
+                heading = table->item(row, 0)->text();
+                QVERIFY2(!headings.contains(heading), qPrintable(heading));
+                headings.insert(heading);
+                continue;
+            }
+            // "in the timeline" and the like, under "In the timeline of a pattern".
+            const QString effect = table->item(row, 1)->text();
+            const QString place = effect.section(QStringLiteral(", "), -1);
+            const bool isPlace =
+                place.startsWith(QLatin1String("in the ")) || place.startsWith(QLatin1String("on the page "));
+            if (isPlace && (heading.contains(lastWord(place), Qt::CaseInsensitive) ||
+                            heading.startsWith(place, Qt::CaseInsensitive)))
+                said << effect;
+        }
+        QVERIFY(headings.size() > 3);
+        QCOMPARE(said, QStringList());
     }
 
     void namesEachLibraryWithItsVersionAndLicence() {
