@@ -20,6 +20,21 @@ const contact::Contact* HeatmapContent::contactAt(std::size_t index) const {
     return found == snapshot.contacts.end() ? nullptr : &*found;
 }
 
+bool HeatmapContent::isPart(const contact::Contact& contact) const {
+    return contact.id > 0 && std::ranges::count(snapshot.contacts, contact.id, &contact::Contact::id) > 1;
+}
+
+std::size_t HeatmapContent::contacts() const {
+    std::size_t count = 0;
+    for (auto at = snapshot.contacts.begin(); at != snapshot.contacts.end(); ++at)
+        count += at->id > 0 && std::find_if(
+                                   snapshot.contacts.begin(), at,
+                                   [&](const contact::Contact& before) { return before.id == at->id; }) != at
+                     ? 0
+                     : 1;
+    return count;
+}
+
 bool isConsistent(const pipeline::TouchSnapshot& snapshot) {
     const std::size_t taxels = snapshot.layout.taxels();
     return taxels > 0 && snapshot.load_N.size() == taxels &&

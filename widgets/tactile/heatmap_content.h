@@ -68,6 +68,11 @@ struct HeatmapContent {
     [[nodiscard]] bool hasShear() const { return snapshot.layout.isVector(); }
     /// The contact of a taxel, or null.
     [[nodiscard]] const contact::Contact* contactAt(std::size_t index) const;
+    /// Whether another part of the contact lies beyond the seam of the cylinder around which the array lies;
+    /// parts have one identity, see pipeline::joinAtSeam().
+    [[nodiscard]] bool isPart(const contact::Contact& contact) const;
+    /// How many there are; parts of one count once.
+    [[nodiscard]] std::size_t contacts() const;
     [[nodiscard]] QString unit() const { return QString::fromStdString(snapshot.loadUnit); }
 };
 

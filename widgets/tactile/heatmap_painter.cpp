@@ -271,15 +271,31 @@ void HeatmapPainter::paintContacts() {
     m_painter->setBrush(Qt::NoBrush);
     for (const contact::Contact& contact : snapshot.contacts) {
         QPainterPath path;
+        // Open at the seam beyond which it goes on.
+        const bool open = m_content->isPart(contact);
+        const auto atSeam = [&](const OutlineCorner& corner) {
+            return open && (corner.row == 0 || corner.row == snapshot.layout.grid().rows);
+        };
+        const auto place = [&](const OutlineCorner& corner) {
+            return m_layout->gridPoint(corner.column, corner.row) +
+                   QPointF(inset * corner.inColumn, atSeam(corner) ? 0.0 : -inset * corner.inRow);
+        };
         for (const OutlineLoop& loop :
              traceOutline(snapshot.labels, snapshot.layout.grid().columns, contact.region,
                           {contact.minRow, contact.maxRow, contact.minColumn, contact.maxColumn})) {
-            QPolygonF polygon;
-            for (const OutlineCorner& corner : loop)
-                polygon << m_layout->gridPoint(corner.column, corner.row) +
-                               QPointF(inset * corner.inColumn, -inset * corner.inRow);
-            path.addPolygon(polygon);
-            path.closeSubpath();
+            path.moveTo(place(loop.front()));
+            bool whole = true;
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const OutlineCorner& to = loop[(i + 1) % loop.size()];
+                const bool gap = atSeam(loop[i]) && to.row == loop[i].row;
+                whole = whole && !gap;
+                if (gap)
+                    path.moveTo(place(to));
+                else
+                    path.lineTo(place(to));
+            }
+            if (whole)
+                path.closeSubpath();
         }
         QPen pen(kCasing, width + 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin);
         m_painter->setPen(pen);
@@ -488,7 +504,7 @@ void HeatmapPainter::paintHeader() {
     pair(tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {});
     if (m_content->hasShear() && m_content->shows(Overlay::shear))
         pair(tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {});
-    pair(tr("contacts"), QString::number(snapshot.contacts.size()), QStringLiteral("88"));
+    pair(tr("contacts"), QString::number(m_content->contacts()), QStringLiteral("88"));
     static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
     pair(tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), {});
     m_painter->setFont(normal);

@@ -6,6 +6,7 @@
 #include "app/sources/site_request.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/touch/skin_contact.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -221,16 +223,22 @@ void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& 
     m_heatmap->setOld(state == core::DeviceState::stale || state == core::DeviceState::lost);
     if (!array.update())
         return;
-    const pipeline::TouchSnapshot& snapshot = array.snapshot();
-    m_heatmap->setSnapshot(snapshot);
+    showFrame(array.snapshot());
     m_heatmap->setLoads(array.newestLoads());
-    m_scene->setSnapshot(snapshot);
     ++item.displayed;
-    m_latency_s = static_cast<double>(now_ns - snapshot.time_ns) * 1e-9;
+    m_latency_s = static_cast<double>(now_ns - array.snapshot().time_ns) * 1e-9;
     if (m_settingsRevision != array.settingsRevision()) {
         m_settingsRevision = array.settingsRevision();
         m_settings->setSettings(array.settings());
     }
+}
+
+void OperatePage::showFrame(pipeline::TouchSnapshot frame) {
+    const SourceManager::Item* shown = m_sources.active();
+    if (const auto arm = shown != nullptr ? shown->arm() : nullptr)
+        pipeline::joinAtSeam(frame, 2.0 * std::numbers::pi * arm->description().skin.radius_m);
+    m_heatmap->setSnapshot(frame);
+    m_scene->setSnapshot(frame);
 }
 
 std::vector<chrome::DeviceReading> OperatePage::readings() const {
@@ -329,8 +337,7 @@ void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance prov
     m_settingsRevision = array->settingsRevision();
     m_heatmap->setLoads(array->newestLoads());
     if (array->generation() > 0) {
-        m_heatmap->setSnapshot(array->snapshot());
-        m_scene->setSnapshot(array->snapshot());
+        showFrame(array->snapshot());
     }
 }
 

@@ -106,6 +106,8 @@ private:
     /// Null when no array is shown.
     [[nodiscard]] std::shared_ptr<pipeline::TouchChannel> shownArray() const;
     void showArray(pipeline::TouchChannel* array, base::Provenance provenance);
+    /// In the heatmap and on the arm, where a contact goes on over the seam of the skin.
+    void showFrame(pipeline::TouchSnapshot frame);
     void tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns);
     void tickSceneCamera(SourceManager::Item& item, std::int64_t now_ns);
     void watchFailures(const SourceManager::Item& item);

@@ -22,4 +22,11 @@ void setPlaceErrors(SkinContact& contact, const contact::Contact& patch, const c
 /// Thread: any (pure).
 [[nodiscard]] SkinContact strongestContact(const TouchSnapshot& frame, double circumference_m);
 
+/// Makes the parts of a contact on both sides of the seam one for those who show the frame: they get the
+/// lower of their identities. The centres and the axis of such a frame are those of the flat sheet and are
+/// left out, but for the centre of pressure of a single contact, which is that of its parts. Parts that are
+/// not tracked yet, with identity 0, stay as they are. circumference_m: of the cylinder; 0: a flat sheet,
+/// whose frame stays as it is. Thread: any (pure).
+void joinAtSeam(TouchSnapshot& frame, double circumference_m);
+
 } // namespace teleta::pipeline

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace teleta;
+using pipeline::joinAtSeam;
 using pipeline::setPlaceErrors;
 using pipeline::SkinContact;
 
@@ -97,4 +100,75 @@ TEST(PlaceErrors, ofAContactWithoutForceAreNotKnown) {
     setPlaceErrors(contact, {}, kGrid, kThreshold_N);
     EXPECT_EQ(contact.xSe_m, 0.0);
     EXPECT_EQ(contact.ySe_m, 0.0);
+}
+
+namespace {
+
+/// A sheet that goes all around: 24 rows of 9.4 mm.
+constexpr double kAround_m = 24 * kPitch_m;
+
+contact::Contact partAt(int id, double x_m, double y_m, double force_N) {
+    contact::Contact part;
+    part.id = part.region = id;
+    part.x_m = x_m;
+    part.y_m = y_m;
+    part.force_N = force_N;
+    return part;
+}
+
+pipeline::TouchSnapshot frameOf(std::vector<contact::Contact> contacts) {
+    pipeline::TouchSnapshot frame;
+    frame.layout = core::ArrayLayout{24, 24, kPitch_m};
+    frame.contacts = std::move(contacts);
+    frame.features.copX_m = frame.features.copY_m = frame.features.cocX_m = frame.features.cocY_m = 0.0;
+    frame.features.alphaZ_rad = 0.5;
+    return frame;
+}
+
+} // namespace
+
+// 3 N half a taxel before the seam and 1 N a whole one behind it: a quarter of 1.5 pitches from the first.
+TEST(Seam, partsOnBothSidesAreOneContact) {
+    auto frame = frameOf({partAt(7, 0.01, 11.5 * kPitch_m, 3.0), partAt(4, 0.014, -11.0 * kPitch_m, 1.0)});
+    joinAtSeam(frame, kAround_m);
+    EXPECT_EQ(frame.contacts[0].id, 4);
+    EXPECT_EQ(frame.contacts[1].id, 4);
+    EXPECT_EQ(frame.contacts[0].region, 7) << "their taxels stay apart";
+    EXPECT_NEAR(frame.features.copX_m.value(), 0.011, 1e-12);
+    EXPECT_NEAR(frame.features.copY_m.value(), (11.5 + 0.25 * 1.5) * kPitch_m, 1e-12);
+    EXPECT_FALSE(frame.features.cocX_m || frame.features.cocY_m || frame.features.alphaZ_rad);
+    const auto strongest = strongestContact(frame, kAround_m);
+    EXPECT_NEAR(strongest.y_m, frame.features.copY_m.value(), 1e-12);
+    // The other way round, the centre lies beyond the upper edge: at the lower one.
+    auto heavyBelow = frameOf({partAt(1, 0.0, -11.5 * kPitch_m, 3.0), partAt(2, 0.0, 10.5 * kPitch_m, 1.0)});
+    joinAtSeam(heavyBelow, kAround_m);
+    EXPECT_NEAR(heavyBelow.features.copY_m.value(), (-11.5 - 0.25 * 2.0) * kPitch_m, 1e-12);
+}
+
+TEST(Seam, whatDoesNotMeetStaysApart) {
+    const std::vector<contact::Contact> apart{
+        partAt(1, 0.0, 11.5 * kPitch_m, 3.0), partAt(2, 0.0, -8.0 * kPitch_m, 2.0),
+        partAt(3, 4.0 * kPitch_m, -11.5 * kPitch_m, 1.0), partAt(5, 0.0, 9.5 * kPitch_m, 0.5)};
+    auto frame = frameOf(apart);
+    joinAtSeam(frame, kAround_m);
+    for (std::size_t i = 0; i < apart.size(); ++i)
+        EXPECT_EQ(frame.contacts[i].id, apart[i].id);
+    EXPECT_TRUE(frame.features.cocX_m && frame.features.alphaZ_rad);
+    // A flat sheet has no seam, and an identity is needed to share one.
+    auto flat = frameOf({partAt(1, 0.0, 11.5 * kPitch_m, 3.0), partAt(2, 0.0, -11.5 * kPitch_m, 1.0)});
+    joinAtSeam(flat, 0.0);
+    EXPECT_EQ(flat.contacts[1].id, 2);
+    auto untracked = frameOf({partAt(0, 0.0, 11.5 * kPitch_m, 3.0), partAt(0, 0.0, -11.5 * kPitch_m, 1.0)});
+    joinAtSeam(untracked, kAround_m);
+    EXPECT_TRUE(untracked.features.cocX_m);
+}
+
+TEST(Seam, aThirdContactKeepsItsIdentityAndTheFrameHasNoCentre) {
+    auto frame = frameOf({partAt(3, 0.0, 11.5 * kPitch_m, 3.0), partAt(2, 0.0, -11.5 * kPitch_m, 2.0),
+                          partAt(1, 0.0, 0.0, 1.0)});
+    joinAtSeam(frame, kAround_m);
+    EXPECT_EQ(frame.contacts[0].id, 2);
+    EXPECT_EQ(frame.contacts[1].id, 2);
+    EXPECT_EQ(frame.contacts[2].id, 1);
+    EXPECT_FALSE(frame.features.copX_m || frame.features.copY_m);
 }

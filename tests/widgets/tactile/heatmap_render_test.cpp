@@ -273,6 +273,57 @@ private slots:
         QCOMPARE(picture.taxel(2, 7), base::cividis().front());
     }
 
+    void aContactOverTheSeamIsOneAndOpenThere() {
+        pipeline::TouchSnapshot snapshot =
+            test::snapshotOf(kArray, std::vector<float>(kArray.taxels(), 0.0F));
+        // Columns 6 to 8 of the last row and of the first.
+        for (const int row : {5, 0}) {
+            contact::Contact part;
+            part.id = 3;
+            part.region = row == 5 ? 1 : 2;
+            part.minRow = part.maxRow = row;
+            part.minColumn = 6;
+            part.maxColumn = 8;
+            part.y_m = kArray.y_m(row);
+            snapshot.contacts.push_back(part);
+            for (int column = 6; column <= 8; ++column)
+                snapshot.labels[static_cast<std::size_t>(row * kArray.columns + column)] = part.region;
+        }
+        Picture picture(snapshot, {Overlay::contacts});
+        const HeatmapLayout layout = picture.view.layoutNow();
+        const QRgb identity = base::identityColour(3, true).rgb();
+        const auto borderAt = [&](const QPointF& border, const QPointF& inwards) {
+            for (int d = 0; d < 5; ++d)
+                if (picture.at(border + inwards * d) == identity)
+                    return true;
+            return false;
+        };
+        // Both parts in one colour, open at the upper and at the lower edge of the sheet.
+        QVERIFY(borderAt(layout.gridPoint(6.0, 5.5), {1, 0}));
+        QVERIFY(borderAt(layout.gridPoint(7.9, 5.0) - QPointF(0, 1), {0, -1}));
+        QVERIFY(!borderAt(layout.gridPoint(7.9, 6.0) + QPointF(0, 1), {0, 1}));
+        QVERIFY(borderAt(layout.gridPoint(6.0, 0.5), {1, 0}));
+        QVERIFY(borderAt(layout.gridPoint(7.9, 1.0), {0, 1}));
+        QVERIFY(!borderAt(layout.gridPoint(7.9, 0.0) - QPointF(0, 1), {0, -1}));
+        // The header counts it once.
+        QVERIFY2(picture.view.headerText().contains(QStringLiteral("contacts 1")),
+                 qPrintable(picture.view.headerText()));
+        // The mouse reads the same contact on both sides.
+        picture.view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&picture.view));
+        for (const int row : {5, 0}) {
+            test::hover(&picture.view, picture.view.layoutNow().taxelRect({row, 7}).center().toPoint());
+            QVERIFY2(picture.view.readout().contains(QStringLiteral("contact #3")),
+                     qPrintable(picture.view.readout()));
+        }
+        // Apart, each is closed and counts.
+        snapshot.contacts.back().id = 4;
+        picture.view.setSnapshot(snapshot);
+        picture.image = picture.view.grab().toImage();
+        QVERIFY(borderAt(layout.gridPoint(7.9, 6.0) + QPointF(0, 1), {0, 1}));
+        QVERIFY(picture.view.headerText().contains(QStringLiteral("contacts 2")));
+    }
+
     void theThresholdIsMarkedAtItsHeightOnTheBar() {
         const Picture picture(ramp());
         const QRectF bar = picture.view.layoutNow().colourBar();

@@ -118,6 +118,25 @@ TEST(TouchScene, onTheCylinderTheMarkIsWhereTheMapSaysAndTheArrowAlongTheNormal)
     EXPECT_NEAR((mark.p_Sensor_Tail - mark.p_Sensor_Foot).normalized().dot(normal), 1.0, 1e-12);
 }
 
+TEST(TouchScene, aContactOverTheSeamHasOneMarkWithTheForceOfItsParts) {
+    TouchScene scene = makeScene();
+    scene.setSurface(Surface::cylinder);
+    const auto apart = test::pressed(kLayout, {{1, 0.01, 0.0085, 1.0}, {2, 0.01, -0.0085, 0.5}});
+    auto joined = apart;
+    joined.contacts[1].id = 1;
+    joined.frame = apart.frame + 1;
+    scene.take(apart);
+    scene.draw();
+    ASSERT_EQ(scene.marks().size(), 2U);
+    scene.take(joined);
+    scene.draw();
+    ASSERT_EQ(scene.marks().size(), 1U);
+    const contact::Contact& whole = scene.marks().front().contact;
+    EXPECT_DOUBLE_EQ(whole.force_N, apart.contacts[0].force_N + apart.contacts[1].force_N);
+    EXPECT_DOUBLE_EQ(whole.area_m2, apart.contacts[0].area_m2 + apart.contacts[1].area_m2);
+    EXPECT_DOUBLE_EQ(whole.y_m, apart.contacts[0].y_m) << "where the strongest part is";
+}
+
 TEST(TouchScene, loadsOfAnyMagnitudeFillTheSameHeights) {
     for (const double unit : {1e-12, 1.0, 1e12}) {
         TouchScene scene = makeScene();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace teleta::view3d {
 
@@ -19,8 +20,23 @@ constexpr double kWay_px = 3.0;
 constexpr double kShaft = 0.32; ///< radius of an arrow's shaft in radii of the sphere
 constexpr double kHead = 2.2;   ///< length of its head, likewise
 
+int idOf(const ContactMark& mark) {
+    return mark.contact.id;
+}
+
 bool isDrawable(const contact::Contact& contact) {
     return std::isfinite(contact.x_m) && std::isfinite(contact.y_m) && std::isfinite(contact.force_N);
+}
+
+/// To the strongest part of a contact, what the others have.
+void addOtherParts(contact::Contact& contact, std::span<const contact::Contact> contacts) {
+    for (const contact::Contact& other : contacts) {
+        if (other.id != contact.id || other.region == contact.region || !isDrawable(other))
+            continue;
+        contact.force_N += other.force_N;
+        contact.area_m2 += other.area_m2;
+        contact.taxels += other.taxels;
+    }
 }
 
 } // namespace
@@ -84,11 +100,20 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
     m_arrows.clear();
     m_outlines.clear();
     m_ways.clear();
-    for (const contact::Contact& contact : contacts) {
+    m_parts.clear();
+    for (contact::Contact contact : contacts) {
         if (m_marks.size() == kMaximum)
             break; // contacts are sorted by decreasing force
         if (!isDrawable(contact))
             continue;
+        // One mark for the parts of a contact on both sides of the seam, at the strongest.
+        if (contact.id > 0) {
+            if (const auto mark = std::ranges::find(m_marks, contact.id, idOf); mark != m_marks.end()) {
+                m_parts.emplace_back(contact.region, static_cast<std::size_t>(mark - m_marks.begin()));
+                continue;
+            }
+            addOtherParts(contact, contacts);
+        }
         const int identity = contact.id > 0 ? contact.id : contact.region;
         const QColor colour = base::identityColour(std::max(1, identity), onDark);
         const double height_m = sensor.heightOf(contact.peak_N / loadRange_N);
@@ -113,9 +138,22 @@ void ContactPart::update(std::span<const contact::Contact> contacts, std::span<c
     m_ways.finish();
 }
 
+const ContactMark* ContactPart::markOf(std::int32_t region) const {
+    const auto mark =
+        std::ranges::find_if(m_marks, [&](const ContactMark& m) { return m.contact.region == region; });
+    if (mark != m_marks.end())
+        return &*mark;
+    const auto part = std::ranges::find(m_parts, region, &std::pair<std::int32_t, std::size_t>::first);
+    return part == m_parts.end() ? nullptr : &m_marks[part->second];
+}
+
 void ContactPart::drawWay(const ContactMark& mark, const Eigen::Vector2d& start_m, double height_m,
                           const SensorPart& sensor) {
-    const Eigen::Vector2d end_m(mark.contact.x_m, mark.contact.y_m);
+    Eigen::Vector2d end_m(mark.contact.x_m, mark.contact.y_m);
+    // The short way around, also over the seam.
+    if (sensor.map().surface() == Surface::cylinder)
+        end_m.y() = start_m.y() +
+                    std::remainder(end_m.y() - start_m.y(), 2.0 * std::numbers::pi * sensor.map().radius_m());
     if ((end_m - start_m).norm() < sensor.size().mark_m)
         return; // hidden in the sphere
     constexpr int kSteps = 24;
@@ -145,19 +183,25 @@ void ContactPart::outlineRegions(std::span<const std::int32_t> labels, const cor
                                                     {0, 1, 0.5, -0.5, 0.5, 0.5},
                                                     {1, 0, 0.5, 0.5, -0.5, 0.5},
                                                     {0, -1, -0.5, 0.5, -0.5, -0.5}}};
+    // Beyond the seam the first row follows the last one.
+    const auto goesOn = [&](int row, int column, std::int32_t region) {
+        const int over = row < 0 ? layout.rows - 1 : row >= layout.rows ? 0 : -1;
+        const std::int32_t other = labelAt(over, column);
+        return other > 0 && other != region && markOf(other) == markOf(region);
+    };
     const double lift_m = sensor.size().tile_m;
     for (int row = 0; row < layout.rows; ++row) {
         for (int column = 0; column < layout.columns; ++column) {
             const std::int32_t region = labelAt(row, column);
             if (region <= 0)
                 continue;
-            const auto mark = std::ranges::find_if(
-                m_marks, [&](const ContactMark& m) { return m.contact.region == region; });
-            if (mark == m_marks.end())
+            const ContactMark* mark = markOf(region);
+            if (mark == nullptr)
                 continue;
             const double height_m = sensor.heightOfCell(sensor.grid().cellOf(row, column)) + lift_m;
             for (const Side& side : kSides) {
-                if (labelAt(row + side.rowStep, column + side.columnStep) == region)
+                const std::int32_t beside = labelAt(row + side.rowStep, column + side.columnStep);
+                if (beside == region || (beside == 0 && goesOn(row + side.rowStep, column, region)))
                     continue;
                 m_outlines.segment(
                     sensor.map().point(layout.x_m(column + side.x0), layout.y_m(row + side.y0), height_m),

@@ -10,8 +10,10 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 class vtkMatrix4x4;
@@ -59,7 +61,11 @@ private:
     void drawWay(const ContactMark& mark, const Eigen::Vector2d& start_m, double height_m,
                  const SensorPart& sensor);
 
+    /// The mark of a region; null: it has none.
+    [[nodiscard]] const ContactMark* markOf(std::int32_t region) const;
+
     std::vector<ContactMark> m_marks;
+    std::vector<std::pair<std::int32_t, std::size_t>> m_parts; ///< other regions of a mark, and its index
     std::vector<Eigen::Vector3d> m_way;
     bool m_visible = true;
     bool m_wayShown = true;
