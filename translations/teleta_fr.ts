@@ -21055,6 +21055,23 @@ Lancez teleta-site --help pour en savoir plus.
         <source>What it reads at rest moved with temperature while it was recorded.</source>
         <translation>Ce qu’il lit au repos a changé avec la température pendant l’enregistrement.</translation>
     </message>
+    <message>
+        <source>Opening %1…</source>
+        <comment>a source</comment>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Its views come up as soon as it answers.</source>
+        <translation>Ses vues apparaissent dès qu’elle répond.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Closes it again</source>
+        <translation>La referme</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>

@@ -20994,6 +20994,23 @@ Run teleta-site --help for more.
         <source>What it reads at rest moved with temperature while it was recorded.</source>
         <translation>静止時の値は、記録中に温度とともに変わりました。</translation>
     </message>
+    <message>
+        <source>Opening %1…</source>
+        <comment>a source</comment>
+        <translation>%1を開いています…</translation>
+    </message>
+    <message>
+        <source>Its views come up as soon as it answers.</source>
+        <translation>応答があり次第、表示が現れます。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Closes it again</source>
+        <translation>閉じます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>

@@ -20994,6 +20994,23 @@ Run teleta-site --help for more.
         <source>What it reads at rest moved with temperature while it was recorded.</source>
         <translation>记录期间，其静止读数随温度发生了变化。</translation>
     </message>
+    <message>
+        <source>Opening %1…</source>
+        <comment>a source</comment>
+        <translation>正在打开 %1…</translation>
+    </message>
+    <message>
+        <source>Its views come up as soon as it answers.</source>
+        <translation>一有应答，其视图就会出现。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Closes it again</source>
+        <translation>将其关闭</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>

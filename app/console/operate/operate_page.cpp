@@ -11,6 +11,7 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
+#include "widgets/chrome/empty_state.h"
 #include "widgets/chrome/playback_bar.h"
 #include "widgets/servo/servo_panel.h"
 #include "widgets/tactile/channel_settings_panel.h"
@@ -19,6 +20,7 @@
 
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -64,6 +66,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_playback(new chrome::PlaybackBar(this))
     , m_stack(new QStackedWidget(this))
     , m_start(new StartPage(this))
+    , m_opening(new chrome::EmptyState(base::Icon::operate, this))
     , m_docks(new OperateDocks(this))
     , m_heatmap(new tactile::HeatmapView(this))
     , m_charts(new charts::StripChartView(this))
@@ -94,11 +97,15 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     m_docks->add(OperateDocks::marks, &m_marks->list());
     m_docks->begin();
 
+    auto* cancel = m_opening->addAction(QString(), QString());
+    cancel->setObjectName(QStringLiteral("cancelOpening"));
     m_stack->addWidget(m_start);
+    m_stack->addWidget(m_opening);
     m_stack->addWidget(m_docks);
     // What is not seen needs no room.
     const auto giveRoom = [this] {
-        for (QWidget* page : {static_cast<QWidget*>(m_start), static_cast<QWidget*>(m_docks)}) {
+        for (QWidget* page : {static_cast<QWidget*>(m_start), static_cast<QWidget*>(m_opening),
+                              static_cast<QWidget*>(m_docks)}) {
             const auto policy =
                 page == m_stack->currentWidget() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
             page->setSizePolicy(policy, policy);
@@ -114,6 +121,10 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     layout->addWidget(&m_site->bar());
     layout->addWidget(m_stack, 1);
 
+    connect(cancel, &QPushButton::clicked, this, [this] {
+        if (!m_sources.items().empty())
+            emit closeRequested(m_sources.items().back().key);
+    });
     connect(m_start, &StartPage::cardRequested, this, &OperatePage::openCard);
     connect(m_start, &StartPage::demoRequested, this, &OperatePage::demoRequested);
     connect(m_start, &StartPage::handbookRequested, this, &OperatePage::firstStepsRequested);
@@ -352,7 +363,18 @@ void OperatePage::onSourcesChanged() {
     m_playback->setMarks(control != nullptr ? control->marks() : std::vector<core::PlaybackMark>());
     m_playback->setVisible(control != nullptr);
     m_looking->setSources(m_sources.items());
-    m_stack->setCurrentWidget(m_sources.items().empty() ? static_cast<QWidget*>(m_start) : m_docks);
+    // The docks come with the source that they show: until then nobody knows which they are.
+    showOpening();
+    m_stack->setCurrentWidget(m_sources.items().empty() ? static_cast<QWidget*>(m_start)
+                              : active == nullptr       ? static_cast<QWidget*>(m_opening)
+                                                        : m_docks);
+}
+
+void OperatePage::showOpening() {
+    const QString name = m_sources.items().empty() ? QString() : m_sources.items().back().name;
+    m_opening->setTexts(tr("Opening %1\u2026", "a source").arg(name),
+                        tr("Its views come up as soon as it answers."));
+    m_opening->setAction("cancelOpening", tr("&Cancel"), tr("Closes it again"));
 }
 
 template <typename Call>
@@ -514,6 +536,7 @@ void OperatePage::retranslate() {
     m_arm->retranslate();
     m_docks->retranslate();
     m_start->retranslate();
+    showOpening();
 }
 
 } // namespace teleta::console

@@ -35,6 +35,7 @@ namespace teleta::charts {
 class StripChartView;
 }
 namespace teleta::chrome {
+class EmptyState;
 class PlaybackBar;
 } // namespace teleta::chrome
 namespace teleta::view3d {
@@ -101,6 +102,7 @@ private:
     /// Keeps the charts of the previous source until it is shown again.
     void changeCharts(pipeline::ChannelKey shown);
     void onSourcesChanged();
+    void showOpening();
     void onBraceletFailed(const core::Error& error);
     void connectPlayback();
     /// Null when no array is shown.
@@ -130,6 +132,7 @@ private:
     chrome::PlaybackBar* m_playback;
     QStackedWidget* m_stack;
     StartPage* m_start;
+    chrome::EmptyState* m_opening; ///< while nothing is shown yet
     OperateDocks* m_docks;
     tactile::HeatmapView* m_heatmap;
     charts::StripChartView* m_charts;

@@ -196,6 +196,37 @@ private slots:
         QVERIFY(m_page->readings().empty() || !m_page->readings().front().active);
     }
 
+    void whileTheFirstSourceOpensThePageIsCalmAndSaysSo() {
+        m_sources->closeAll();
+        connect(m_page.get(), &OperatePage::closeRequested, m_sources.get(), &SourceManager::close);
+        m_page->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+        QVERIFY(m_page->startPage().isVisible());
+        const std::string scene = m_folder.filePath("poke.toml").toStdString();
+        m_sources->open(SceneRequest{scene, 1});
+        // No docks yet, since these may be of another kind: what opens, and a way back.
+        auto* cancel = m_page->findChild<QPushButton*>(QStringLiteral("cancelOpening"));
+        QVERIFY(cancel != nullptr && cancel->isVisible());
+        QVERIFY(!m_page->docks().isVisible());
+        const QString headline = cancel->parentWidget()->accessibleName();
+        QVERIFY2(headline.contains(m_sources->items().front().name), qPrintable(headline));
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QVERIFY(m_sources->items().empty());
+        QVERIFY(m_page->startPage().isVisible());
+        // The docks appear with those of a camera, and never with others.
+        m_sources->open(SceneRequest{scene, 1});
+        QVERIFY(comes([&] {
+            if (m_page->docks().isVisible() && m_page->docks().kind() != OperateDocks::Kind::camera)
+                qFatal("the docks of another kind of source");
+            return m_page->docks().isVisible();
+        }));
+        QVERIFY(panel().isVisible());
+        QVERIFY(!cancel->isVisible());
+        // What is shown stays while another source opens beside it.
+        m_sources->open(SceneRequest{scene, 2});
+        QVERIFY(m_page->docks().isVisible() && panel().isVisible());
+    }
+
     void theDialogAsksForACameraAndItsCalibration() {
         CameraDialog dialog({}, nullptr, [] {
             return std::vector<camera::CameraInfo>{{.number = 0, .name = "inside"},
