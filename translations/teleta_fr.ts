@@ -2741,6 +2741,18 @@ Exemples&#xa0;:
         <source>Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; repeatable).</source>
         <translation>Ouvrir un bras par ROS 2, ou les articulations qu’indique un appareil Modbus, décrits dans un fichier (TOML&#xa0;; répétable).</translation>
     </message>
+    <message>
+        <source>Plot a signal on the Plot page as soon as its source is open, SOURCE/STREAM/COLUMN with the names that the page shows (repeatable).</source>
+        <translation>Tracer un signal sur la page Tracé dès que sa source est ouverte, SOURCE/FLUX/COLONNE avec les noms que la page affiche (répétable).</translation>
+    </message>
+    <message>
+        <source>SIGNAL</source>
+        <translation>SIGNAL</translation>
+    </message>
+    <message>
+        <source>--plot %1: expected SOURCE/STREAM/COLUMN</source>
+        <translation>--plot %1 : SOURCE/FLUX/COLONNE attendu</translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>

@@ -2736,6 +2736,18 @@ Examples:
         <source>Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; repeatable).</source>
         <translation>ファイルに記述されたROS 2のアーム、またはModbusの機器が伝える関節を開く (TOML、繰り返し可)。</translation>
     </message>
+    <message>
+        <source>Plot a signal on the Plot page as soon as its source is open, SOURCE/STREAM/COLUMN with the names that the page shows (repeatable).</source>
+        <translation>ソースが開き次第、プロットページに信号を表示します。ページに表示される名前でSOURCE/STREAM/COLUMNの形で指定します (複数指定可)。</translation>
+    </message>
+    <message>
+        <source>SIGNAL</source>
+        <translation>SIGNAL</translation>
+    </message>
+    <message>
+        <source>--plot %1: expected SOURCE/STREAM/COLUMN</source>
+        <translation>--plot %1: SOURCE/STREAM/COLUMNの形で指定してください</translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>

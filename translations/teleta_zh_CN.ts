@@ -2736,6 +2736,18 @@ Examples:
         <source>Open an arm over ROS 2, or the joints that a Modbus device reports, described in a file (TOML; repeatable).</source>
         <translation>打开文件中描述的通过 ROS 2 的机械臂，或 Modbus 设备报告的关节（TOML；可重复）。</translation>
     </message>
+    <message>
+        <source>Plot a signal on the Plot page as soon as its source is open, SOURCE/STREAM/COLUMN with the names that the page shows (repeatable).</source>
+        <translation>信号源一打开就在“绘图”页上绘制一个信号，用该页显示的名称写成 SOURCE/STREAM/COLUMN（可重复）。</translation>
+    </message>
+    <message>
+        <source>SIGNAL</source>
+        <translation>SIGNAL</translation>
+    </message>
+    <message>
+        <source>--plot %1: expected SOURCE/STREAM/COLUMN</source>
+        <translation>--plot %1：应为 SOURCE/STREAM/COLUMN</translation>
+    </message>
 </context>
 <context>
     <name>ContactsCommand</name>

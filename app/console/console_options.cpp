@@ -174,6 +174,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
         option("rehearse", tr("Let simulated participants go through the study, which is made if need be."));
     const auto page =
         option("page", tr("Page to show: %1.").arg(pageNames().join(QStringLiteral(", "))), tr("NAME"));
+    const auto plot = option("plot",
+                             tr("Plot a signal on the Plot page as soon as its source is open, "
+                                "SOURCE/STREAM/COLUMN with the names that the page shows (repeatable)."),
+                             tr("SIGNAL"));
     const auto bracelet =
         option("bracelet", tr("Bracelet to drive: simulated, usb, none, or a file that describes one."),
                tr("WHICH"));
@@ -255,6 +259,10 @@ ParsedOptions OptionReader::read(const QStringList& arguments) {
     options.page = m_parser.value(page);
     if (m_parser.isSet(page) && !pageNames().contains(options.page))
         fail(tr("--page %1: expected one of %2").arg(options.page, pageNames().join(QStringLiteral(", "))));
+    options.plotted = m_parser.values(plot);
+    for (const QString& plotted : options.plotted)
+        if (plotted.count(QLatin1Char('/')) < 2)
+            fail(tr("--plot %1: expected SOURCE/STREAM/COLUMN").arg(plotted));
     options.bracelet = m_parser.value(bracelet);
     options.theme = m_parser.value(theme);
     if (m_parser.isSet(theme) && !QStringList{"light", "dark", "system"}.contains(options.theme))

@@ -31,6 +31,7 @@ struct ConsoleOptions {
     QStringList arms;                         ///< files that describe arms, to open
     QStringList sites;                        ///< files with which sites are reached, to open
     QString cameraPairs;                      ///< to calibrate the cylinder camera with
+    QStringList plotted;                      ///< signals for the Plot page, SOURCE/STREAM/COLUMN
     QString page;
     QString dock;     ///< of the Operate page, or a view of the Study page, brought to the front
     QString bracelet; ///< "simulated", "usb", "none" or a device file; empty: as the last time

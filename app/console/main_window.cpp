@@ -329,6 +329,8 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_live->start();
     if (!options.cameraPairs.isEmpty())
         m_calibrate->openPairs(options.cameraPairs);
+    if (!options.plotted.isEmpty())
+        m_plot->plotNamed(options.plotted);
 }
 
 /// The recording that was asked for at the start. Its head tells of what is open by then, so it waits for all

@@ -396,6 +396,15 @@ void PlotPage::popUpMenu(const QPoint& global) {
     menu->popup(global);
 }
 
+void PlotPage::plotNamed(const QStringList& names) {
+    PlotLayout layout;
+    for (const QString& name : names)
+        layout.plotted.push_back({.id = {name.section(QLatin1Char('/'), 0, 0).toStdString(),
+                                         name.section(QLatin1Char('/'), 1, -2).toStdString(),
+                                         name.section(QLatin1Char('/'), -1).toStdString()}});
+    restore(layout);
+}
+
 PlotLayout PlotPage::layoutNow() const {
     return {m_signals->plotted(), m_plot->span_s(), m_density->isChecked()};
 }

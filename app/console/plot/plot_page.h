@@ -8,6 +8,7 @@
 
 #include <QElapsedTimer>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include <cstdint>
@@ -51,6 +52,9 @@ public:
     [[nodiscard]] PlotLayoutsMenu& layouts() { return *m_layouts; }
     [[nodiscard]] chrome::MessageBar& messages() { return *m_messages; }
 
+    /// Plots these signals and no others, SOURCE/STREAM/COLUMN each; one whose source is not open waits for
+    /// it.
+    void plotNamed(const QStringList& names);
     /// Takes what has come and draws it.
     void tick();
     /// Writes what is in view on a pool thread.

@@ -51,6 +51,7 @@ private slots:
         QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << "light, dark or system";
         QTest::newRow("size without x") << QStringList{"--size", "1600"} << "WIDTHxHEIGHT";
         QTest::newRow("size too small") << QStringList{"--size", "10x10"} << "320x240";
+        QTest::newRow("no column") << QStringList{"--plot", "arm/force"} << "SOURCE/STREAM/COLUMN";
         QTest::newRow("no port") << QStringList{"--foxglove", "70000"} << "1 to 65535";
         QTest::newRow("value missing") << QStringList{"--screenshot"} << "screenshot";
     }

@@ -219,6 +219,16 @@ private slots:
         QVERIFY(m_page->plotSignals().shown().front().note.isEmpty());
     }
 
+    void aSignalNamedAtTheStartIsPlottedOnceItsSourceIsThere() {
+        m_page->plotNamed({QStringLiteral("sine.teleta/joints/q1"), QStringLiteral("a/b/c/d")});
+        const auto plotted = m_page->plotSignals().plotted();
+        QCOMPARE(plotted.size(), std::size_t{2});
+        QVERIFY(plotted[0].id == m_angle);
+        QVERIFY((plotted[1].id == signal::SignalId{"a", "b/c", "d"}));
+        openRecording();
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw != nullptr; }));
+    }
+
     void derivativeAndSpectrumAreThoseOfTheSine() {
         plotAngle();
         QTreeWidget& table = m_page->table().view();
