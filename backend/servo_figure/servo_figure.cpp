@@ -235,7 +235,7 @@ private:
         double at = kPlotLeft;
         double row = kLegendTop;
         for (Entry& entry : entries) {
-            const double needed = kSwatch + 30.0 + kLetter * static_cast<double>(entry.name.size());
+            const double needed = kSwatch + 30.0 + lengthOf(entry.name);
             if (at > kPlotLeft && at + needed > m_width - kRight) {
                 at = kPlotLeft;
                 row += kLegendRow;

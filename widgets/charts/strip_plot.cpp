@@ -20,7 +20,7 @@ constexpr Strip stripOfLane(int lane) {
 
 StripPlot::StripPlot(QWidget* parent)
     : TimePlot({.width_em = 26.0,
-                .laneHeight_em = 3.6, // title and two values
+                .laneHeight_em = 3.0, // title and two values, closely
                 .panelWidth_em = 10.5,
                 .widestTick = QStringLiteral("\u221288.8")},
                parent)

@@ -140,15 +140,16 @@ void ServoRunsView::draw() {
     const QSizeF size = chartRect().size();
     if (m_runs.runs().empty() || size.isEmpty()) {
         m_chart = {};
+        m_svg.clear();
         return;
     }
     // A chart too small for its text is drawn larger and scaled down.
     const double scale = std::min(
         {base::em(this, 1) / kFigureEm_px, size.width() / kLeastFigure_px, size.height() / kLeastFigure_px});
-    const std::string svg =
+    m_svg = QByteArray::fromStdString(
         servo_figure::servoFigure(m_runs.runs(), size.width() / scale, size.height() / scale)
-            .standalone(coloursOf(palette()));
-    QSvgRenderer renderer(QByteArray::fromStdString(svg));
+            .standalone(coloursOf(palette())));
+    QSvgRenderer renderer(m_svg);
     m_chart = QPixmap((size * devicePixelRatioF()).toSize());
     m_chart.setDevicePixelRatio(devicePixelRatioF());
     m_chart.fill(palette().color(QPalette::Base));

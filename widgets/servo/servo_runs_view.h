@@ -4,6 +4,7 @@
 #include "widgets/base/figure/figure_view.h"
 #include "widgets/servo/servo_runs.h"
 
+#include <QByteArray>
 #include <QElapsedTimer>
 #include <QPixmap>
 
@@ -35,6 +36,8 @@ public:
 
     [[nodiscard]] const ServoRuns& runs() const { return m_runs; }
     [[nodiscard]] base::Figure figure() override;
+    /// The chart as it is drawn, as SVG; empty before the first run.
+    [[nodiscard]] const QByteArray& chart() const { return m_svg; }
 
 signals:
     /// A recording could not be read, or a figure could not be written.
@@ -57,6 +60,7 @@ private:
     QToolButton* m_add;
     QToolButton* m_forget;
     QToolButton* m_menu;
+    QByteArray m_svg;
     QPixmap m_chart;
     QElapsedTimer m_drawn;
     bool m_dirty = true;

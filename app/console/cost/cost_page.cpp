@@ -89,8 +89,19 @@ CostPage::CostPage(const CostMeasuring::MakeLadders& makeLadders, const QString&
     auto* split = new QSplitter(this);
     split->setChildrenCollapsible(false);
     split->addWidget(makeLadderColumn());
-    split->addWidget(makeMiddle());
-    split->addWidget(makeCameraColumn());
+    // The table lies below chart and camera: its seven columns need the width of both.
+    auto* beside = new QSplitter(split);
+    beside->setChildrenCollapsible(false);
+    beside->addWidget(makeMiddle());
+    beside->addWidget(makeCameraColumn());
+    beside->setStretchFactor(0, 1);
+    auto* right = new QSplitter(Qt::Vertical, split);
+    right->setChildrenCollapsible(false);
+    right->addWidget(beside);
+    right->addWidget(makeTable());
+    right->setStretchFactor(0, 3);
+    right->setStretchFactor(1, 2);
+    split->addWidget(right);
     split->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -186,7 +197,26 @@ QWidget* CostPage::makeMiddle() {
     m_title->setObjectName(QStringLiteral("title"));
     m_truth = wrapped(middle);
     m_chart = new cost::CostChart(middle);
-    m_table = base::named<QTableWidget>("rungs", 0, columns, middle);
+    m_words = wrapped(middle);
+    m_words->setObjectName(QStringLiteral("words"));
+    auto* charted = new QWidget(middle);
+    auto* chartColumn = new QVBoxLayout(charted);
+    chartColumn->setContentsMargins(0, 0, 0, 0);
+    chartColumn->addWidget(m_chart, 1);
+    chartColumn->addWidget(m_words);
+    m_empty = new chrome::EmptyState(base::Icon::cost, middle);
+    m_measureEmpty = m_empty->addAction(QString(), QString());
+    m_measureEmpty->setObjectName(QStringLiteral("measureEmpty"));
+    m_results = new QStackedWidget(middle);
+    m_results->addWidget(m_empty);
+    m_results->addWidget(charted);
+    columnOf(middle, {m_title, m_truth, m_results})->setStretchFactor(m_results, 1);
+    return middle;
+}
+
+QWidget* CostPage::makeTable() {
+    m_below = new QWidget(this);
+    m_table = base::named<QTableWidget>("rungs", 0, columns, m_below);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -195,27 +225,11 @@ QWidget* CostPage::makeMiddle() {
     m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.7));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(parameterColumn, QHeaderView::Stretch);
-    m_words = wrapped(middle);
-    m_words->setObjectName(QStringLiteral("words"));
-    auto* charted = new QWidget(middle);
-    auto* chartColumn = new QVBoxLayout(charted);
-    chartColumn->setContentsMargins(0, 0, 0, base::grid(this));
-    chartColumn->addWidget(m_chart, 1);
-    chartColumn->addWidget(m_words);
-    auto* parts = new QSplitter(Qt::Vertical, middle);
-    parts->setChildrenCollapsible(false);
-    parts->addWidget(charted);
-    parts->addWidget(m_table);
-    parts->setStretchFactor(0, 3);
-    parts->setStretchFactor(1, 2);
-    m_empty = new chrome::EmptyState(base::Icon::cost, middle);
-    m_measureEmpty = m_empty->addAction(QString(), QString());
-    m_measureEmpty->setObjectName(QStringLiteral("measureEmpty"));
-    m_results = new QStackedWidget(middle);
-    m_results->addWidget(m_empty);
-    m_results->addWidget(parts);
-    columnOf(middle, {m_title, m_truth, m_results})->setStretchFactor(m_results, 1);
-    return middle;
+    auto* layout = new QVBoxLayout(m_below);
+    const int margin = base::grid(m_below, 2);
+    layout->setContentsMargins(margin, 0, margin, margin);
+    layout->addWidget(m_table);
+    return m_below;
 }
 
 QWidget* CostPage::makeCameraColumn() {
@@ -297,6 +311,7 @@ void CostPage::showCosts() {
     m_truth->setText(truth);
     const cost::LadderCost costs = found != nullptr ? *found : cost::LadderCost{name, ladder->errorUnit, {}};
     m_results->setCurrentIndex(found != nullptr ? 1 : 0);
+    m_below->setVisible(found != nullptr);
     m_measure->setVisible(found != nullptr); // otherwise the middle has the button
     const QString unit = QString::fromStdString(costs.errorUnit);
     m_table->setRowCount(static_cast<int>(costs.rungs.size()));

@@ -59,6 +59,7 @@ private:
     [[nodiscard]] QWidget* makeLadderColumn();
     [[nodiscard]] QWidget* makeMiddle();
     [[nodiscard]] QWidget* makeCameraColumn();
+    [[nodiscard]] QWidget* makeTable();
     [[nodiscard]] std::string ladderShown() const;
     void retranslate();
     void showLadders();
@@ -90,6 +91,7 @@ private:
     cost::CostChart* m_chart;
     QLabel* m_words;
     QTableWidget* m_table;
+    QWidget* m_below; ///< with the table, once there are numbers
     QStackedWidget* m_results;
     QLabel* m_cameraHeading;
     QLabel* m_rungLabel;

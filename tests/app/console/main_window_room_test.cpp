@@ -4,6 +4,7 @@
 #include "app/console/start/start_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
+#include "widgets/charts/strip_chart_view.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/start/demo_card.h"
 #include "widgets/chrome/start/demo_list.h"
@@ -156,6 +157,7 @@ private slots:
         QTest::addColumn<QString>("scene");
         QTest::newRow("arm") << QStringLiteral(":/scenes/teleta-touch.toml");
         QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml");
+        QTest::newRow("array of vectors") << QStringLiteral(":/scenes/tactile-two-contacts.toml");
         QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml");
         QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml");
         QTest::newRow("nothing") << QString();
@@ -170,6 +172,9 @@ private slots:
         if (!scene.isEmpty())
             QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
         auto& page = m_window->operatePage();
+        // No scene has one: its charts have a strip more.
+        if (QLatin1String(QTest::currentDataTag()) == QLatin1String("array of vectors"))
+            child<charts::StripChartView>()->setVectors(true);
         const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
         for (auto i = languages().size() - 1; i >= 0; --i) {
             if (languages()[i]->isSeparator())

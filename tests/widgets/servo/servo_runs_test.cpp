@@ -6,11 +6,16 @@
 #include "widgets/servo/servo_runs_view.h"
 
 #include <QFile>
+#include <QFontMetricsF>
+#include <QLineF>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QXmlStreamReader>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace teleta::servo;
 
@@ -27,6 +32,84 @@ ServoStep stepAt(double time_s, std::uint64_t run = 0, bool moment = true) {
     step.desired_N = 5.0;
     step.p_Base_Sensor.x() = 0.01 * time_s;
     return step;
+}
+
+/// A step of a run whose curves go from the top to the bottom of their lanes.
+ServoStep wildStep(double time_s, std::uint64_t run) {
+    ServoStep step = stepAt(time_s, run);
+    const double swing = std::sin(9.0 * time_s);
+    step.force_N = 5.0 + 5.0 * swing;
+    step.copY_m = 0.01 * swing;
+    step.cocX_m = -0.01 * swing;
+    step.dzmpY_m = step.dzmpYTrue_m = 0.002 * swing;
+    step.alphaZ_rad = 0.4 * swing;
+    step.p_Base_Sensor.x() = 0.05 * swing;
+    return step;
+}
+
+/// A text of the chart, with the rectangle in which it stands.
+struct ChartText {
+    QString text;
+    QString kind;
+    QRectF rect;
+};
+
+/// What is written in a chart, and the lines of its curves.
+struct ChartParts {
+    std::vector<ChartText> texts;
+    std::vector<QLineF> curves;
+};
+
+ChartParts partsOf(const QByteArray& svg) {
+    ChartParts parts;
+    QFont font(QStringLiteral("sans-serif"));
+    font.setPixelSize(12); // of class small
+    const QFontMetricsF metrics(font);
+    QXmlStreamReader reader(svg);
+    while (!reader.atEnd()) {
+        if (reader.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        const QXmlStreamAttributes attributes = reader.attributes();
+        const QString kind = attributes.value("class").toString();
+        if (reader.name() == QLatin1String("text") && kind.contains(QLatin1String("small"))) {
+            const QPointF at(attributes.value("x").toDouble(), attributes.value("y").toDouble());
+            const bool turned = attributes.value("transform").startsWith(QLatin1String("rotate(-90"));
+            const QString text = reader.readElementText();
+            const double width = metrics.horizontalAdvance(text);
+            // Digits and capitals reach from the base line to the height of a capital.
+            QRectF rect(0.0, -metrics.capHeight(), width, metrics.capHeight());
+            if (kind.contains(QLatin1String("end")))
+                rect.translate(-width, 0.0);
+            if (kind.contains(QLatin1String("middle")))
+                rect.translate(-0.5 * width, 0.0);
+            if (turned)
+                rect = QRectF(rect.top(), -rect.right(), rect.height(), rect.width());
+            parts.texts.push_back({text, kind, rect.translated(at)});
+        } else if (reader.name() == QLatin1String("path") &&
+                   (kind.contains(QLatin1String("thin")) || kind == QLatin1String("dotted"))) {
+            const QStringList points = attributes.value("d").toString().mid(1).split(QLatin1Char('L'));
+            QPointF before;
+            for (qsizetype i = 0; i < points.size(); ++i) {
+                const QPointF point(points[i].section(QLatin1Char(' '), 0, 0).toDouble(),
+                                    points[i].section(QLatin1Char(' '), 1).toDouble());
+                if (i > 0)
+                    parts.curves.emplace_back(before, point);
+                before = point;
+            }
+        }
+    }
+    return parts;
+}
+
+bool crosses(const QRectF& rect, const QLineF& line) {
+    const std::array corners{rect.topLeft(), rect.topRight(), rect.bottomRight(), rect.bottomLeft()};
+    if (rect.contains(line.p1()) || rect.contains(line.p2()))
+        return true;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (line.intersects(QLineF(corners[i], corners[(i + 1) % corners.size()])) ==
+            QLineF::BoundedIntersection)
+            return true;
+    return false;
 }
 
 QString nameOf(const ServoRuns& runs, std::size_t index) {
@@ -126,6 +209,46 @@ private slots:
         QTRY_COMPARE(view.runs().runs().size(), std::size_t{1});
         QCOMPARE(view.runs().runs()[0].force_N, std::vector<double>{4.0});
         QVERIFY(view.figure().csv().contains(QStringLiteral(",0.01,4,5,0,0,0,0,0,0,0,0")));
+    }
+
+    void titlesOfRowsLieOnNoCurveAndNoOtherText_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("runs");
+        for (const int runs : {1, 2}) {
+            // The dock at 1024 x 700 and at 1600 x 1000, maximised, and narrow.
+            for (const QSize size : {QSize(560, 240), QSize(840, 400), QSize(1500, 860), QSize(420, 700)})
+                QTest::addRow("%d x %d, %d", size.width(), size.height(), runs) << size << runs;
+        }
+    }
+    void titlesOfRowsLieOnNoCurveAndNoOtherText() {
+        QFETCH(QSize, size);
+        QFETCH(int, runs);
+        const int source = 0;
+        ServoRunsView view;
+        view.resize(900, 500);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        view.setSource("bar", &source);
+        for (int run = 0; run < runs; ++run)
+            for (int i = 0; i < 400; ++i)
+                view.append(wildStep(0.02 * i, static_cast<std::uint64_t>(run)));
+        view.resize(size);
+        QTRY_COMPARE(view.size(), size);
+        view.refresh();
+        const ChartParts parts = partsOf(view.chart());
+        QVERIFY(parts.curves.size() > 100);
+        int titles = 0;
+        for (const ChartText& title : parts.texts) {
+            if (!title.kind.startsWith(QLatin1String("ink")))
+                continue;
+            ++titles;
+            for (const QLineF& curve : parts.curves)
+                QVERIFY2(!crosses(title.rect, curve), qPrintable(title.text));
+            for (const ChartText& other : parts.texts)
+                QVERIFY2(&other == &title || !other.rect.intersects(title.rect),
+                         qPrintable(title.text + QStringLiteral(" on ") + other.text));
+        }
+        QVERIFY2(titles >= 6, "each row has one");
     }
 
     void theChartIsDrawnInTheColoursOfTheThemeAndSavedAsSvgOnWhite() {

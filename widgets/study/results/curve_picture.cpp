@@ -29,7 +29,8 @@ public:
         , m_palette(palette)
         , m_em(QFontMetricsF(painter.font()).height())
         , m_rect(rect)
-        , m_plot(rect.adjusted(4.0 * m_em, 3.6 * m_em, -0.8 * m_em, -3.2 * m_em))
+        , m_title(titleRect())
+        , m_plot(rect.adjusted(4.0 * m_em, 2.1 * m_em + m_title.height(), -0.8 * m_em, -3.2 * m_em))
         , m_small(base::sized(painter.font(), base::kSmallText)) {}
 
     void paint() {
@@ -49,6 +50,17 @@ public:
     }
 
 private:
+    /// A title that is wider than the picture has more lines than one.
+    [[nodiscard]] QRectF titleRect() const {
+        const QFontMetricsF metrics(base::bold(m_painter.font()));
+        const QRectF room = m_rect.adjusted(0.5 * m_em, 0.3 * m_em, -0.5 * m_em, 0.0);
+        const double lines = std::max(
+            1.0,
+            std::round(
+                metrics.boundingRect(room, Qt::AlignHCenter | Qt::TextWordWrap, m_content.title).height() /
+                metrics.height()));
+        return {room.left(), room.top(), room.width(), lines * 1.2 * m_em + 0.3 * m_em};
+    }
     [[nodiscard]] double x(double value) const {
         const double share = (value - m_content.lowestX) / (m_content.highestX - m_content.lowestX);
         return m_plot.left() + std::clamp(share, 0.0, 1.0) * m_plot.width();
@@ -66,8 +78,7 @@ private:
     void paintTitle() {
         m_painter.setFont(base::bold(m_painter.font()));
         m_painter.setPen(ink());
-        m_painter.drawText(QRectF(m_rect.left(), m_rect.top() + 0.3 * m_em, m_rect.width(), 1.2 * m_em),
-                           Qt::AlignCenter, m_content.title);
+        m_painter.drawText(m_title, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_content.title);
         m_painter.setFont(m_small);
         const QFontMetricsF metrics(m_small);
         double left = m_plot.left();
@@ -76,12 +87,11 @@ private:
             if (name.isEmpty())
                 continue;
             m_painter.setPen(QPen(colourOf(s), 2.4));
-            m_painter.drawLine(QPointF(left, m_rect.top() + 2.4 * m_em),
-                               QPointF(left + 1.4 * m_em, m_rect.top() + 2.4 * m_em));
+            const double middle = m_title.bottom() + 0.6 * m_em;
+            m_painter.drawLine(QPointF(left, middle), QPointF(left + 1.4 * m_em, middle));
             m_painter.setPen(ink());
-            m_painter.drawText(
-                QRectF(left + 1.8 * m_em, m_rect.top() + 1.7 * m_em, m_rect.width(), 1.4 * m_em),
-                Qt::AlignLeft | Qt::AlignVCenter, name);
+            m_painter.drawText(QRectF(left + 1.8 * m_em, middle - 0.7 * m_em, m_rect.width(), 1.4 * m_em),
+                               Qt::AlignLeft | Qt::AlignVCenter, name);
             left += metrics.horizontalAdvance(name) + 3.0 * m_em;
         }
     }
@@ -155,6 +165,7 @@ private:
     const QPalette& m_palette;
     double m_em;
     QRectF m_rect;
+    QRectF m_title;
     QRectF m_plot;
     QFont m_small;
 };

@@ -10,11 +10,13 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFontMetrics>
 #include <QLabel>
 #include <QLayout>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -297,6 +299,31 @@ private slots:
         QVERIFY2(words.contains(QStringLiteral("More accurate: dots, takes 18 times as long")),
                  qPrintable(words));
         QVERIFY(part<QLabel>("words").isVisible());
+    }
+
+    void theNumbersHaveRoomOnASmallScreen() {
+        QDir().mkpath(m_folder.filePath(QStringLiteral("cost")));
+        auto costs = knownCosts();
+        costs.front().rungs[1].name = "fast-2-changed";
+        costs.front().rungs[1].parameter = "scale 1/2, only where changed";
+        QVERIFY(cost::writeCostFile(costs, file().toStdString()));
+        open({quickLadder("contact-flow")});
+        // What the window of 1024 x 700 leaves to a page.
+        m_page->resize(950, 600);
+        auto& table = part<QTableWidget>("rungs");
+        QTRY_COMPARE_WITH_TIMEOUT(table.rowCount(), 2, kPatience_ms);
+        QTRY_VERIFY(table.isVisible() && table.width() < 950);
+        QTRY_VERIFY(!table.horizontalScrollBar()->isVisible());
+        QCOMPARE(m_page->width(), 950);
+        for (int column = 0; column < table.columnCount(); ++column)
+            for (int row = 0; row < table.rowCount(); ++row) {
+                const QTableWidgetItem& item = *table.item(row, column);
+                QVERIFY2(QFontMetrics(item.font()).horizontalAdvance(item.text()) <=
+                             table.columnWidth(column),
+                         qPrintable(item.text()));
+            }
+        // Nor is the chart squeezed for it.
+        QVERIFY(m_page->findChild<cost::CostChart*>()->height() > 150);
     }
 
     void withoutACameraItOffersOneAndNothingCanBeSet() {
