@@ -22,47 +22,46 @@ ConditioningSettings withoutAbsent(ConditioningSettings settings, const core::Ta
     return settings;
 }
 
-core::ArrayLayout gridOf(const core::TaxelLayout& layout) {
-    return layout.isGrid() ? layout.grid() : core::ArrayLayout{1, 1};
-}
-
 } // namespace
 
 FrameAnalysis::FrameAnalysis(const core::TaxelLayout& layout, const AnalysisSettings& settings)
     : m_layout(layout)
     , m_range(settings.features.range)
     , m_absent(static_cast<std::size_t>(std::ranges::count(layout.absent(), 1)))
-    , m_conditioner(layout.taxels(), {})
-    , m_features(gridOf(layout))
-    , m_segmenter(gridOf(layout))
+    , m_conditioner(conditionerFor(layout, settings.conditioning))
+    , m_finders(findersFor(layout))
     , m_tracker(trackingFor(layout)) {
-    if (!layout.isGrid()) {
-        m_placeFeatures.emplace(layout.places());
-        m_placeSegmenter.emplace(layout.places());
-    }
     setSettings(settings);
+}
+
+std::variant<FrameConditioner, ForceConditioner>
+FrameAnalysis::conditionerFor(const core::TaxelLayout& layout, const ConditioningSettings& settings) {
+    if (layout.isVector())
+        return ForceConditioner(layout, withoutAbsent(settings, layout));
+    return FrameConditioner(layout.taxels(), withoutAbsent(settings, layout));
+}
+
+std::variant<FrameAnalysis::OnGrid, FrameAnalysis::OnPlaces>
+FrameAnalysis::findersFor(const core::TaxelLayout& layout) {
+    if (layout.isGrid())
+        return OnGrid{FeatureExtractor(layout.grid()), ContactSegmenter(layout.grid())};
+    return OnPlaces{PlaceFeatures(layout.places()), PlaceSegmenter(layout.places())};
 }
 
 void FrameAnalysis::setSettings(const AnalysisSettings& settings) {
     m_range = settings.features.range;
-    const ConditioningSettings conditioning = withoutAbsent(settings.conditioning, m_layout);
-    if (m_layout.isVector())
-        m_forces.emplace(m_layout, conditioning);
-    else
-        m_conditioner = FrameConditioner(m_layout.taxels(), conditioning);
-    m_features.setSettings(settings.features);
-    m_segmenter.setSettings(settings.segmentation);
-    if (m_placeFeatures)
-        m_placeFeatures->setSettings(settings.features);
-    if (m_placeSegmenter)
-        m_placeSegmenter->setSettings(settings.segmentation);
+    m_conditioner = conditionerFor(m_layout, settings.conditioning);
+    std::visit(
+        [&](auto& finders) {
+            finders.features.setSettings(settings.features);
+            finders.segmenter.setSettings(settings.segmentation);
+        },
+        m_finders);
 }
 
 void FrameAnalysis::reset() {
     m_tracker.reset();
-    m_features.reset();
-    if (m_placeFeatures)
-        m_placeFeatures->reset();
+    std::visit([](auto& finders) { finders.features.reset(); }, m_finders);
 }
 
 void FrameAnalysis::analyse(std::span<const float> raw, double time_s, TaxelFrame& frame) {
@@ -71,29 +70,32 @@ void FrameAnalysis::analyse(std::span<const float> raw, double time_s, TaxelFram
     frame.load_N.resize(taxels);
     frame.dead.resize(taxels);
     std::size_t dead = 0;
-    if (m_forces) {
+    const auto* forces = std::get_if<ForceConditioner>(&m_conditioner);
+    if (forces != nullptr) {
         frame.shearX_N.resize(taxels);
         frame.shearY_N.resize(taxels);
-        dead = m_forces->apply(raw, frame.load_N, frame.shearX_N, frame.shearY_N, frame.dead);
+        dead = forces->apply(raw, frame.load_N, frame.shearX_N, frame.shearY_N, frame.dead);
     } else {
-        dead = m_conditioner.apply(raw, frame.load_N, frame.dead);
+        dead = std::get<FrameConditioner>(m_conditioner).apply(raw, frame.load_N, frame.dead);
     }
 
-    const auto contacts = m_placeSegmenter ? m_placeSegmenter->segment(frame.load_N, frame.dead)
-                                           : m_segmenter.segment(frame.load_N, frame.dead);
-    m_tracker.assign(contacts, time_s);
-    frame.contacts.assign(contacts.begin(), contacts.end());
-    frame.features = m_placeFeatures ? m_placeFeatures->compute(frame.load_N, frame.dead)
-                                     : m_features.compute(frame.load_N, frame.dead);
+    std::visit(
+        [&](auto& finders) {
+            const auto contacts = finders.segmenter.segment(frame.load_N, frame.dead);
+            m_tracker.assign(contacts, time_s);
+            frame.contacts.assign(contacts.begin(), contacts.end());
+            frame.features = finders.features.compute(frame.load_N, frame.dead);
+        },
+        m_finders);
     frame.features.dead = static_cast<int>(dead - m_absent);
-    if (m_forces) {
+    if (forces != nullptr) {
         setContactShear(frame, labels());
         setFeatureShear(frame, m_range);
     }
 }
 
 std::span<const std::int32_t> FrameAnalysis::labels() const {
-    return m_placeSegmenter ? m_placeSegmenter->labels() : m_segmenter.labels();
+    return std::visit([](const auto& finders) { return finders.segmenter.labels(); }, m_finders);
 }
 
 } // namespace teleta::contact

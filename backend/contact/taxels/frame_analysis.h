@@ -12,8 +12,8 @@
 #include "backend/core/data/taxel_layout.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <variant>
 
 namespace teleta::contact {
 
@@ -43,15 +43,23 @@ public:
     [[nodiscard]] std::span<const std::int32_t> labels() const;
 
 private:
+    struct OnGrid {
+        FeatureExtractor features;
+        ContactSegmenter segmenter;
+    };
+    struct OnPlaces {
+        PlaceFeatures features;
+        PlaceSegmenter segmenter;
+    };
+    [[nodiscard]] static std::variant<FrameConditioner, ForceConditioner>
+    conditionerFor(const core::TaxelLayout& layout, const ConditioningSettings& settings);
+    [[nodiscard]] static std::variant<OnGrid, OnPlaces> findersFor(const core::TaxelLayout& layout);
+
     core::TaxelLayout m_layout;
     MomentRange m_range;
     std::size_t m_absent = 0; ///< places without a taxel
-    FrameConditioner m_conditioner;
-    std::optional<ForceConditioner> m_forces;
-    FeatureExtractor m_features;
-    ContactSegmenter m_segmenter;
-    std::optional<PlaceFeatures> m_placeFeatures;
-    std::optional<PlaceSegmenter> m_placeSegmenter;
+    std::variant<FrameConditioner, ForceConditioner> m_conditioner;
+    std::variant<OnGrid, OnPlaces> m_finders;
     ContactTracker m_tracker;
 };
 
