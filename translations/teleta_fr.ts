@@ -2751,7 +2751,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>--plot %1: expected SOURCE/STREAM/COLUMN</source>
-        <translation>--plot %1 : SOURCE/FLUX/COLONNE attendu</translation>
+        <translation>--plot %1&#xa0;: SOURCE/FLUX/COLONNE attendu</translation>
     </message>
 </context>
 <context>
@@ -25118,6 +25118,11 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>&amp;Delete the participant…</source>
         <translation>&amp;Supprimer le participant…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>participant, order of the conditions</comment>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>

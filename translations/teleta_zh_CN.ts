@@ -25048,6 +25048,11 @@ Enter what you assume on the left, and choose Plan.</source>
         <source>&amp;Delete the participant…</source>
         <translation>删除被试(&amp;D)…</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>participant, order of the conditions</comment>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::ThresholdForm</name>

@@ -151,12 +151,19 @@ void StudyPanel::fillList() {
     const base::StatusColours& colours = base::statusColours(palette());
     for (std::size_t p = 0; p < m_scene.participants.size(); ++p) {
         const ParticipantLine& person = m_scene.participants[p];
-        auto* top = new QTreeWidgetItem(m_list, {person.id, person.order});
+        // Over both columns: the order of the conditions would leave the sessions no room for their names.
+        auto* top = new QTreeWidgetItem(
+            m_list,
+            {person.order.isEmpty()
+                 ? person.id
+                 : tr("%1: %2", "participant, order of the conditions").arg(person.id, person.order)});
+        top->setFirstColumnSpanned(true);
         int next = -1;
         for (std::size_t s = 0; s < person.sessions.size(); ++s) {
             const SessionLine& session = person.sessions[s];
             auto* item = new QTreeWidgetItem(top, {session.name, session.state});
             item->setData(0, kSession, static_cast<int>(s));
+            item->setToolTip(0, session.name);
             item->setToolTip(1, tr("%1 of %2 trials", "kept").arg(session.kept).arg(session.planned));
             if (session.finished)
                 item->setForeground(1, colours.live);
