@@ -13,7 +13,7 @@
 
 int main(int argc, char** argv) {
     // First of all: threads take over what signals the first one blocks.
-    const teleta::site_program::SiteSignals signals;
+    const teleta::site_program::SiteSignals sent;
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("teleta-site"));
     QCoreApplication::setApplicationVersion(teleta::app::version().text());
@@ -24,5 +24,5 @@ int main(int argc, char** argv) {
     std::vector<const char*> arguments;
     for (const std::string& copy : copies)
         arguments.push_back(copy.c_str());
-    return teleta::site_program::runProgram(argc, arguments.data(), signals);
+    return teleta::site_program::runProgram(argc, arguments.data(), sent);
 }

@@ -50,10 +50,10 @@ struct Options {
 };
 
 /// Waits until every device is live and says what is missing.
-int check(RunningSite& site, const Options& options, const SiteSignals& signals) {
+int check(RunningSite& site, const Options& options, const SiteSignals& sent) {
     std::vector<std::string> problems = site.problems();
     for (const std::int64_t end_ns = core::steadyNow_ns() + kCheck_ns;
-         !problems.empty() && core::steadyNow_ns() < end_ns && !signals.wait(kPoll_ns);) {
+         !problems.empty() && core::steadyNow_ns() < end_ns && !sent.wait(kPoll_ns);) {
         site.poll();
         problems = site.problems();
     }
@@ -74,7 +74,7 @@ int check(RunningSite& site, const Options& options, const SiteSignals& signals)
     return problems.empty() ? kDone : kWorkFailed;
 }
 
-int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const SiteSignals& signals) {
+int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const SiteSignals& sent) {
     const ServiceManager manager;
     manager.tell("READY=1");
     log.write({site_link::SiteNews::Severity::note,
@@ -87,8 +87,8 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const SiteSigna
                    .toStdString()});
     std::uint64_t cycles = 0;
     std::int64_t nextTell_ns = 0;
-    while (!signals.wait(kPoll_ns)) {
-        if (const std::optional<bool> stop = signals.takeStop())
+    while (!sent.wait(kPoll_ns)) {
+        if (const std::optional<bool> stop = sent.takeStop())
             site.setStop(*stop);
         site.poll();
         log.flush();
@@ -110,12 +110,12 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const SiteSigna
     return kDone;
 }
 
-int run(const Options& options, const SiteSignals& signals) {
+int run(const Options& options, const SiteSignals& sent) {
     const core::Expected<SiteFile> file = readSite(options.path);
     if (!file)
         return failedWith(file.error(), file.error().kind != core::ErrorKind::ioFailed);
     SiteLog log(options.json && !options.check);
-    const auto cancelled = [&signals] { return signals.wait(0); };
+    const auto cancelled = [&sent] { return sent.wait(0); };
     core::Expected<std::unique_ptr<RunningSite>> site =
         options.check ? RunningSite::openForCheck(*file, log, cancelled)
                       : RunningSite::open(*file, options.recordings, log, cancelled);
@@ -126,7 +126,7 @@ int run(const Options& options, const SiteSignals& signals) {
         // A device that is not there may come; a file that is wrong stays wrong.
         return failedWith(site.error(), site.error().kind == core::ErrorKind::badInput);
     }
-    const int code = options.check ? check(**site, options, signals) : serve(**site, *file, log, signals);
+    const int code = options.check ? check(**site, options, sent) : serve(**site, *file, log, sent);
     site->reset();
     log.flush();
     return code;
@@ -163,7 +163,7 @@ std::optional<bool> SiteSignals::takeStop() const {
     return stop == Stop::unchanged ? std::nullopt : std::optional(stop == Stop::engage);
 }
 
-int runProgram(int argc, const char* const* argv, const SiteSignals& signals) {
+int runProgram(int argc, const char* const* argv, const SiteSignals& sent) {
     CLI::App app(SiteProgramText::tr("Runs at the robot: sends what its arms and tactile arrays feel to the "
                                      "consoles, and decides which console moves them.")
                      .toStdString(),
@@ -198,7 +198,7 @@ int runProgram(int argc, const char* const* argv, const SiteSignals& signals) {
         }
         if (site->count() == 0)
             throw CLI::RequiredError("SITE.toml");
-        return run(options, signals);
+        return run(options, sent);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;
     }

@@ -29,6 +29,6 @@ private:
 
 /// Runs teleta-site with these arguments. Exit codes as teleta's: 0 done, 1 the work failed, 2 wrong usage, 3
 /// bad input file.
-int runProgram(int argc, const char* const* argv, const SiteSignals& signals);
+int runProgram(int argc, const char* const* argv, const SiteSignals& sent);
 
 } // namespace teleta::site_program
