@@ -50,11 +50,11 @@ app::SourceRequest readFile(TomlTable& table, const std::string& path) {
     auto list = app::readSourceList(path);
     if (!list)
         table.fail("file", core::describe(list.error()), {});
-    else if (list->size() == 1 && !std::holds_alternative<app::GelRequest>(list->front()))
+    else if (list->size() == 1)
         return std::move(list->front());
     else
         table.fail("file", SiteFileText::tr("a site does not send this kind of device").toStdString(),
-                   SiteFileText::tr("the file of an arm, an array or a camera over ROS 2").toStdString());
+                   SiteFileText::tr("the file of an arm, an array, a gel or a camera over ROS 2").toStdString());
     return app::ArmRequest{path};
 }
 
@@ -98,11 +98,9 @@ void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
         requests.push_back(readFile(table, core::besideFile(path, file)));
     } else {
         id = readId(table, {});
-        for (const char* key : {"gel", "recording"}) {
-            if (table.has(key))
-                table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
-                           SiteFileText::tr("file, wts, taxels, scene or scene_camera").toStdString());
-        }
+        if (const char* key = "recording"; table.has(key))
+            table.fail(key, SiteFileText::tr("a site does not send this kind of device").toStdString(),
+                       SiteFileText::tr("file, wts, taxels, gel, scene or scene_camera").toStdString());
         core::TomlKeys keys(table);
         if (const char* key = table.has("camera") ? "camera" : "scene_camera"; table.has(key)) {
             app::SceneCameraRequest camera;
@@ -111,13 +109,15 @@ void readDevice(TomlTable& table, const std::string& path, SiteFile& site) {
         } else {
             const app::SourceKind kind = table.has("wts")      ? app::SourceKind::wts
                                          : table.has("taxels") ? app::SourceKind::taxels
+                                         : table.has("gel")    ? app::SourceKind::gel
                                                                : app::SourceKind::scene;
             app::describeSource(keys, kind, path, requests);
         }
     }
     for (app::SourceRequest& request : requests) {
         SiteDevice device{id, std::move(request)};
-        if (std::holds_alternative<app::SceneCameraRequest>(device.request))
+        if (std::holds_alternative<app::SceneCameraRequest>(device.request) ||
+            std::holds_alternative<app::GelRequest>(device.request))
             device.pictures = readPictures(table);
         if (isArray(device.request))
             device.pad = readPad(table);

@@ -4,7 +4,9 @@
 #include "app/common/version.h"
 #include "backend/core/failure.h"
 #include "backend/pipeline/arm_channel.h"
+#include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/joint_channel.h"
+#include "backend/pipeline/recorded/recorded_gel.h"
 #include "backend/pipeline/recorded/recorded_scene_camera.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/pipeline/scene_camera_channel.h"
@@ -14,6 +16,7 @@
 #include "devices/site/remote/remote_camera.h"
 #include "devices/site/remote_site_file.h"
 #include "devices/site/site_streams.h"
+#include "devices/site/stream_descriptions.h"
 
 #include <QCoreApplication>
 
@@ -36,7 +39,7 @@ using recording::StreamKind;
 
 const StreamInfo* findStream(const site_link::SiteClient& site, const std::string& device, StreamKind kind) {
     const auto found = std::ranges::find_if(site.streams(), [&](const StreamInfo& stream) {
-        return stream.kind == kind && site_link::deviceOf(stream) == device;
+        return stream.kind == kind && site_link::deviceOf(stream) == device && !site_link::isGelAtRest(stream);
     });
     return found == site.streams().end() ? nullptr : &*found;
 }
@@ -68,8 +71,14 @@ core::Expected<std::optional<std::string>> skinOf(const site_link::SiteClient& s
 core::Expected<std::shared_ptr<pipeline::Channel>>
 openCamera(const std::shared_ptr<site_link::SiteClient>& site, const std::string& device,
            const StreamInfo& stream) {
+    using site_link::RemoteCamera;
+    if (site_link::isGel(stream)) {
+        TELETA_TRY(auto gel, pipeline::gelOf(stream, site->file().name));
+        TELETA_TRY(auto feed, RemoteCamera::open(site, device, gel.description, RemoteCamera::Sees::gel));
+        return std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(gel.file));
+    }
     TELETA_TRY(auto description, pipeline::sceneCameraOf(stream, site->file().name));
-    TELETA_TRY(auto source, site_link::RemoteCamera::open(site, device, std::move(description)));
+    TELETA_TRY(auto source, RemoteCamera::open(site, device, std::move(description)));
     return std::make_shared<pipeline::SceneCameraChannel>(std::move(source));
 }
 

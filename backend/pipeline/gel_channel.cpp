@@ -87,7 +87,7 @@ std::shared_ptr<const GelTaps> GelChannel::tapsInto(const std::shared_ptr<record
                                                     const std::string& name) const {
     const std::string reference = name + "-reference";
     auto taps = std::make_shared<GelTaps>();
-    taps->reference = sink->addStream(referenceStream(reference, m_description));
+    taps->reference = sink->addStream(gelReferenceStream(reference, m_description));
     taps->pictures = sink->addStream(gelStream(name + "-camera", m_description, m_file, reference));
     taps->contacts = sink->addStream(gelContactStream(name + "-contacts", m_description));
     taps->event = [weak = std::weak_ptr<recording::StreamSink>(sink), name](const GelEvent& event,
@@ -230,6 +230,7 @@ void GelChannel::publish(const core::CameraFrame& frame, std::int64_t work_ns, c
             motion.found = motion.found && m_follower.usable();
         now.scale_m = gel.scale_m();
         now.noise_m = gel.scale_m() * gel.noise_px();
+        now.corners_m = gel.corners_m();
     } else {
         now.markers.clear();
         now.motions.clear();

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -28,6 +29,8 @@ struct GelSnapshot {
     std::vector<vision::GelContactState> contacts; ///< of the newest picture
     double noise_m = 0.0; ///< standard deviation of a marker's place along an axis, on the surface
     double scale_m = 0.0; ///< size of a pixel on the surface, in the middle of the picture
+    /// Of the picture on the surface, as vision::MarkerGel::corners_m(); undefined without markers.
+    std::array<Eigen::Vector2d, 4> corners_m{};
 
     std::size_t missing = 0;  ///< pictures to come before the rest can be taken; 0: none is being taken
     bool usable = false;      ///< the markers were followed into the newest picture

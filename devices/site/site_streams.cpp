@@ -28,6 +28,8 @@ constexpr std::string_view kFramesEnd = "-frames";
 constexpr std::string_view kWrenchEnd = "-wrench";
 constexpr std::string_view kTemperaturesEnd = "-temperatures";
 constexpr std::string_view kPicturesEnd = "-scene";
+constexpr std::string_view kGelEnd = "-camera";
+constexpr std::string_view kRestEnd = "-reference";
 
 std::size_t fitting(std::size_t bytesEach) {
     return std::max<std::size_t>(1, (SiteStreams::kMessage_bytes - kOverhead_bytes) / bytesEach);
@@ -58,6 +60,8 @@ std::string deviceOf(const recording::StreamInfo& stream) {
                                  : stream.kind == recording::StreamKind::wrench  ? kWrenchEnd
                                  : stream.kind == recording::StreamKind::numbers ? kTemperaturesEnd
                                  : recording::isColour(stream)                   ? kPicturesEnd
+                                 : isGel(stream)                                 ? kGelEnd
+                                 : isGelAtRest(stream)                           ? kRestEnd
                                                                                  : std::string_view();
     std::string_view name = stream.name;
     if (end.empty() || !name.ends_with(end))
@@ -72,7 +76,11 @@ StreamTopic topicOf(const recording::StreamInfo& stream, const SiteTopics& topic
     case recording::StreamKind::joints:
         return {"joints", topics.joints(device), &ros::descriptorOf<ros::JointBlock>(), kStreamed};
     case recording::StreamKind::camera:
-        return {"image", topics.image(device), &ros::descriptorOf<ros::ImageFrame>(), kNewest};
+        if (isGelAtRest(stream))
+            return {"rest", topics.rest(device), &ros::descriptorOf<ros::ImageFrame>(), kLatched};
+        // Markers are followed from picture to picture, so none is overtaken.
+        return {"image", topics.image(device), &ros::descriptorOf<ros::ImageFrame>(),
+                isGel(stream) ? kStreamed : kNewest};
     case recording::StreamKind::wrench:
         return {"wrench", topics.wrench(device), &ros::descriptorOf<ros::TactileBlock>(), kStreamed};
     case recording::StreamKind::numbers:
@@ -128,7 +136,10 @@ std::shared_ptr<core::StreamTap> SiteStreams::addStream(recording::StreamInfo in
     if (info.kind == recording::StreamKind::camera) {
         const auto settings = m_pictures.find(device);
         tap = m_pictureSender.add(std::move(*writer),
-                                  settings == m_pictures.end() ? PictureSettings() : settings->second);
+                                  settings == m_pictures.end() ? PictureSettings() : settings->second,
+                                  isGel(info)         ? SentPicture::grey
+                                  : isGelAtRest(info) ? SentPicture::rest
+                                                      : SentPicture::colour);
     } else {
         m_streams.push_back(std::make_unique<Stream>(Stream{std::move(info), tap, std::move(*writer)}));
     }

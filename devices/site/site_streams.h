@@ -24,12 +24,13 @@
 namespace teleta::site_link {
 
 /// The device that a stream of the running system belongs to: "pad" of "pad-frames"; empty: it is not sent.
-/// Of other numbers than those of a device's own sensors only temperatures are.
+/// Of other numbers than those of a device's own sensors only temperatures are; of grey pictures only those of
+/// gels with markers.
 [[nodiscard]] std::string deviceOf(const recording::StreamInfo& stream);
 
 /// Where such a stream is sent.
 struct StreamTopic {
-    const char* kind; ///< "joints", "tactile", "temperatures", "wrench", "image"
+    const char* kind; ///< "joints", "tactile", "temperatures", "wrench", "image", "rest"
     std::string name;
     const dds_topic_descriptor_t* type;
     ros::QosProfile profile;

@@ -46,6 +46,8 @@ public:
     }
     [[nodiscard]] std::string wrench(std::string_view arm) const { return below("wrench", arm); }
     [[nodiscard]] std::string image(std::string_view camera) const { return below("image", camera); }
+    /// The newest pictures of a gel with nothing touching it.
+    [[nodiscard]] std::string rest(std::string_view gel) const { return below("rest", gel); }
 
     // Written by a console, but for the answers.
     [[nodiscard]] std::string presence(std::string_view console) const { return of(console, kPresence); }

@@ -20,6 +20,18 @@ constexpr std::size_t kMostStreams = 256;
 /// Three components of each taxel.
 constexpr std::size_t kMostColumns = 3 * core::TaxelPlaces::kMost;
 
+ordered_json detailsOf(const recording::StreamInfo& stream) {
+    return ordered_json::parse(stream.details, nullptr, /*allow_exceptions=*/false);
+}
+
+bool isGreyWith(const recording::StreamInfo& stream, const char* key) {
+    if (stream.kind != recording::StreamKind::camera || stream.type != recording::ValueType::grey8 ||
+        stream.shape.size() != 2)
+        return false;
+    const ordered_json details = detailsOf(stream);
+    return details.is_object() && details.contains(key);
+}
+
 } // namespace
 
 std::string describeStreams(const std::vector<recording::StreamInfo>& streams) {
@@ -70,14 +82,19 @@ core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string
     return streams;
 }
 
+bool isGel(const recording::StreamInfo& stream) {
+    return isGreyWith(stream, "marker_gel");
+}
+
+bool isGelAtRest(const recording::StreamInfo& stream) {
+    return isGreyWith(stream, "marker_gel_rest");
+}
+
 std::string frameOf(const recording::StreamInfo& stream, const std::vector<recording::StreamInfo>& all) {
     using recording::StreamKind;
     const auto detail = [](const ordered_json& details, const char* key) {
         const auto found = details.is_object() ? details.find(key) : details.end();
         return found != details.end() && found->is_string() ? found->get<std::string>() : std::string();
-    };
-    const auto detailsOf = [](const recording::StreamInfo& of) {
-        return ordered_json::parse(of.details, nullptr, /*allow_exceptions=*/false);
     };
     if (stream.kind == StreamKind::joints)
         return detail(detailsOf(stream), "base_link");

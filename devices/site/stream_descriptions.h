@@ -20,6 +20,11 @@ namespace teleta::site_link {
 [[nodiscard]] core::Expected<std::vector<recording::StreamInfo>> readStreams(const std::string& text,
                                                                              const std::string& from);
 
+/// Whether a stream has the pictures of a gel with markers, as pipeline::gelStream() describes it.
+[[nodiscard]] bool isGel(const recording::StreamInfo& stream);
+/// Whether it has those of such a gel at rest, as pipeline::gelReferenceStream() describes it.
+[[nodiscard]] bool isGelAtRest(const recording::StreamInfo& stream);
+
 /// The frame in which a stream's values are: the base of an arm's joints, the tip for a force at the wrist,
 /// the link that bears an array. Empty: nobody knows. all: of the site.
 [[nodiscard]] std::string frameOf(const recording::StreamInfo& stream,

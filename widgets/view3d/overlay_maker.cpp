@@ -83,6 +83,7 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneMarks& mar
     if (request.contactLabels) {
         addWrench(scene, marks.wrench, content);
         addTubeMarks(scene, content);
+        addGelMarks(scene, content);
         addObjects(scene, content);
     }
     if (request.jointLimits)
@@ -215,6 +216,33 @@ void OverlayMaker::addTubeMarks(const TouchScene& scene, OverlayContent& content
     });
 }
 
+void OverlayMaker::addGelMarks(const TouchScene& scene, OverlayContent& content) {
+    const std::vector<GelMark>& marks = scene.gel().marks();
+    for (std::size_t i = 0; i < std::min(marks.size(), kMostLabels); ++i) {
+        const GelMark& mark = marks[i];
+        const auto place =
+            placeInPicture(*scene.renderer(), scene.gel().X_World_Sensor() * mark.p_Sensor_Tail);
+        if (place)
+            content.labels.push_back(
+                {*place,
+                 //: A contact on a gel in the 3-D view: its number and how much of it slips
+                 tr("%1: %2").arg(QString::number(mark.id), mark.words.slip), mark.colour, true});
+    }
+}
+
+void OverlayMaker::addGelLegend(const GelPart& gel, std::vector<LegendLine>& legend) {
+    legend.push_back({tr("Gel: %1 \u00d7 %2").arg(millimetres(gel.width_m()), millimetres(gel.height_m()))});
+    if (gel.hasDisplacements() || !gel.marks().empty())
+        legend.push_back(
+            {tr("Displacement, shear and turn \u00d7 %1").arg(QLocale().toString(gel.enlargement(), 'g', 3))});
+    if (gel.hasPresses())
+        legend.push_back(
+            {tr("Spread of the skin, longest arrow: %1")
+                 .arg(base::withUnit(QLocale().toString(1e6 * gel.spreadRange_m2(), 'g', 3),
+                                     QStringLiteral("mm\u00b2"))),
+             LegendLine::Arrow::straight});
+}
+
 QString wordsFor(const contact::Contact& contact, const QString& unit) {
     return OverlayMaker::tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
         .arg(contact.id)
@@ -278,6 +306,8 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
         if (!scene.tube().marks().empty())
             add(tr("Ellipses: 95 % regions of the centres"));
     }
+    if (scene.gel().isShown())
+        addGelLegend(scene.gel(), legend);
     if (request.grid)
         add(tr("Grid: %1").arg(millimetres(scene.gridSpacing_m())));
     return legend;

@@ -47,6 +47,8 @@ private:
     static void addObjects(const TouchScene& scene, OverlayContent& content);
     static void addScenery(const TouchScene& scene, const SceneryPart& scenery, OverlayContent& content);
     void addTubeMarks(const TouchScene& scene, OverlayContent& content);
+    static void addGelMarks(const TouchScene& scene, OverlayContent& content);
+    static void addGelLegend(const GelPart& gel, std::vector<LegendLine>& legend);
     void addWrench(const TouchScene& scene, const WrenchPart& wrench, OverlayContent& content);
     static void addLimits(const TouchScene& scene, const LimitPart& limits, OverlayContent& content);
     [[nodiscard]] static std::vector<LegendLine> legendOf(const TouchScene& scene, const WrenchPart& wrench,

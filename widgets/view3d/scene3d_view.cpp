@@ -475,6 +475,7 @@ void Scene3dView::showLayers() {
     parts.marks.trail.setVisible(layers.shows(SceneLayers::trail));
     parts.marks.limits.setVisible(layers.shows(SceneLayers::jointLimits));
     parts.marks.wrench.setForcesShown(layers.shows(SceneLayers::forces));
+    parts.scene.setTurnsShown(layers.shows(SceneLayers::moments));
     parts.marks.wrench.setMomentsShown(layers.shows(SceneLayers::moments));
     parts.marks.scenery.setVisible(layers.shows(SceneLayers::scenery));
     parts.vtk->requestRender();
@@ -490,6 +491,12 @@ void Scene3dView::setHiddenLayers(const QStringList& names) {
 
 void Scene3dView::setTube(const pipeline::CameraSnapshot* snapshot) {
     sceneMoved(m_parts->scene.setTube(snapshot));
+    m_parts->vtk->requestRender();
+}
+
+void Scene3dView::setGel(const pipeline::GelSnapshot* snapshot, double enlargement,
+                         std::span<const GelWords> words) {
+    sceneMoved(m_parts->scene.setGel(snapshot, enlargement, words));
     m_parts->vtk->requestRender();
 }
 
@@ -529,12 +536,8 @@ bool Scene3dView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const Parts& parts = *m_parts;
-        const ContactMark* mark =
-            contactAt(parts.scene, parts.pointAt(parts.vtk->mapFromGlobal(help->globalPos())));
         const QString text =
-            mark == nullptr
-                ? QString()
-                : wordsFor(mark->contact, QString::fromStdString(parts.scene.snapshot().loadUnit));
+            wordsAt(parts.scene, parts.pointAt(parts.vtk->mapFromGlobal(help->globalPos())));
         text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
         return true;
     }

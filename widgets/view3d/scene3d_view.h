@@ -17,12 +17,14 @@
 class QMenu;
 
 namespace teleta::view3d {
+struct GelWords;
 struct RobotShape;
-}
+} // namespace teleta::view3d
 
 namespace teleta::pipeline {
 struct CameraSnapshot;
-}
+struct GelSnapshot;
+} // namespace teleta::pipeline
 
 namespace teleta::view3d {
 
@@ -86,6 +88,9 @@ public:
     [[nodiscard]] const Eigen::AlignedBox3d& armBox_m() const;
     /// The tube watched by a camera from inside, with its contacts; null: none.
     void setTube(const pipeline::CameraSnapshot* snapshot);
+    /// The flat gel with markers watched by a camera; null: none. enlargement: of its displacements. words:
+    /// one a contact, see GelPart.
+    void setGel(const pipeline::GelSnapshot* snapshot, double enlargement, std::span<const GelWords> words);
 
     void look(CameraPreset preset);
     [[nodiscard]] const Orbit& orbit() const;

@@ -32,19 +32,24 @@ double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
 
 } // namespace
 
-const ContactMark* contactAt(const TouchScene& scene, const PicturePoint& point) {
-    const ContactMark* nearest = nullptr;
+QString wordsAt(const TouchScene& scene, const PicturePoint& point) {
     double nearest_px = point.reach;
-    for (const ContactMark& mark : scene.marks()) {
-        const auto foot = pixelOf(scene, scene.toWorld(mark.p_Sensor_Foot), point);
-        if (!foot)
-            continue;
-        if (const double distance_px = length(*foot - point.at); distance_px < nearest_px) {
-            nearest_px = distance_px;
-            nearest = &mark;
-        }
-    }
-    return nearest;
+    const auto isNearer = [&](const Eigen::Vector3d& p_World_Foot) {
+        const auto foot = pixelOf(scene, p_World_Foot, point);
+        const double distance_px = foot ? length(*foot - point.at) : nearest_px;
+        if (!(distance_px < nearest_px))
+            return false;
+        nearest_px = distance_px;
+        return true;
+    };
+    QString words;
+    for (const ContactMark& mark : scene.marks())
+        if (isNearer(scene.toWorld(mark.p_Sensor_Foot)))
+            words = wordsFor(mark.contact, QString::fromStdString(scene.snapshot().loadUnit));
+    for (const GelMark& mark : scene.gel().marks())
+        if (isNearer(scene.gel().X_World_Sensor() * mark.p_Sensor_Foot))
+            words = mark.words.all;
+    return words;
 }
 
 std::optional<std::uint64_t> objectAt(const TouchScene& scene, const PicturePoint& point) {

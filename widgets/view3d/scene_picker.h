@@ -5,6 +5,7 @@
 
 #include <QPointF>
 #include <QSizeF>
+#include <QString>
 
 #include <cstdint>
 #include <optional>
@@ -18,8 +19,9 @@ struct PicturePoint {
     double reach = 0; ///< how far away a thing may be
 };
 
-/// The contact whose foot is nearest to a point of the picture; null: none is within reach. Thread: GUI.
-[[nodiscard]] const ContactMark* contactAt(const TouchScene& scene, const PicturePoint& point);
+/// Describes the contact, of an array or a gel, whose foot is nearest to a point of the picture; empty: none
+/// is within reach. Thread: GUI.
+[[nodiscard]] QString wordsAt(const TouchScene& scene, const PicturePoint& point);
 
 /// The number of the object whose outline or contact points are nearest; empty: none is within reach.
 [[nodiscard]] std::optional<std::uint64_t> objectAt(const TouchScene& scene, const PicturePoint& point);

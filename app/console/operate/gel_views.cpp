@@ -4,13 +4,34 @@
 #include "backend/core/steady_time.h"
 #include "widgets/camera/gel/gel_event_table.h"
 #include "widgets/camera/gel/gel_panel.h"
+#include "widgets/camera/gel/gel_view.h"
+#include "widgets/view3d/scene/gel_part.h"
+#include "widgets/view3d/scene3d_view.h"
 
 #include <utility>
+#include <vector>
 
 namespace teleta::console {
 
-GelViews::GelViews(QWidget* parent)
+namespace {
+
+/// Contacts as the picture tells them.
+std::vector<view3d::GelWords> wordsOf(const pipeline::GelSnapshot& snapshot) {
+    using camera::GelPicture;
+    std::vector<view3d::GelWords> words;
+    for (const vision::GelContactState& contact : snapshot.contacts)
+        words.push_back(
+            {GelPicture::slipText(contact),
+             GelPicture::wordsFor(contact),
+             {GelPicture::slipColour(contact, false), GelPicture::slipColour(contact, true)}});
+    return words;
+}
+
+} // namespace
+
+GelViews::GelViews(view3d::Scene3dView& scene, QWidget* parent)
     : QObject(parent)
+    , m_scene(scene)
     , m_panel(new camera::GelPanel(parent))
     , m_events(new camera::GelEventTable(parent)) {
     connect(m_panel, &camera::GelPanel::referenceRequested, this, [this] {
@@ -27,7 +48,8 @@ void GelViews::addTo(OperateDocks& docks) {
 }
 
 void GelViews::setGel(std::shared_ptr<pipeline::GelChannel> gel, base::Provenance provenance) {
-    if (m_gel)
+    const bool had = m_gel != nullptr;
+    if (had)
         m_kept.insert_or_assign(m_gel, m_events->model().takeEvents());
     m_gel = std::move(gel);
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
@@ -36,12 +58,16 @@ void GelViews::setGel(std::shared_ptr<pipeline::GelChannel> gel, base::Provenanc
     m_panel->setSnapshot(nullptr);
     m_events->setProvenance(provenance);
     m_events->clear();
+    if (had)
+        m_scene.setGel(nullptr, 1.0, {});
+    m_enlargement = 0.0;
     if (!m_gel)
         return;
+    m_scene.setProvenance(provenance);
     if (auto kept = m_kept.extract(m_gel))
         m_events->model().setEvents(std::move(kept.mapped()));
     if (m_gel->generation() > 0)
-        m_panel->setSnapshot(&m_gel->snapshot());
+        show(m_gel->snapshot());
 }
 
 bool GelViews::tick() {
@@ -50,12 +76,26 @@ bool GelViews::tick() {
     pipeline::GelEvent event;
     while (m_gel->popEvent(event))
         m_events->append(event);
-    if (!m_gel->update())
+    if (!m_gel->update()) {
+        if (m_enlargement > 0.0 && m_panel->view().picture().enlargement != m_enlargement)
+            showInSpace(m_panel->view().picture().shown);
         return false;
+    }
     const pipeline::GelSnapshot& snapshot = m_gel->snapshot();
-    m_panel->setSnapshot(&snapshot);
+    show(snapshot);
     m_latency_s = core::elapsed_s(snapshot.time_ns, core::steadyNow_ns());
     return true;
+}
+
+void GelViews::show(const pipeline::GelSnapshot& snapshot) {
+    m_panel->setSnapshot(&snapshot);
+    if (!m_panel->isPaused())
+        showInSpace(snapshot);
+}
+
+void GelViews::showInSpace(const pipeline::GelSnapshot& snapshot) {
+    m_enlargement = m_panel->view().picture().enlargement;
+    m_scene.setGel(&snapshot, m_enlargement, wordsOf(snapshot));
 }
 
 } // namespace teleta::console

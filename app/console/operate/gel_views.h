@@ -17,14 +17,19 @@ class GelEventTable;
 class GelPanel;
 } // namespace teleta::camera
 
+namespace teleta::view3d {
+class Scene3dView;
+}
+
 namespace teleta::console {
 
-/// The views of a flat gel on the Operate page: its picture and what happened. Thread: GUI.
+/// The views of a flat gel on the Operate page: its picture, what happened, and its plane with its markers in
+/// the reconstruction. Thread: GUI.
 class GelViews : public QObject {
     Q_OBJECT
 
 public:
-    explicit GelViews(QWidget* parent);
+    GelViews(view3d::Scene3dView& scene, QWidget* parent);
 
     void addTo(OperateDocks& docks);
     /// Shows another gel; null: none.
@@ -42,12 +47,18 @@ signals:
     void exportFailed(const QString& message);
 
 private:
+    void show(const pipeline::GelSnapshot& snapshot);
+    /// In the reconstruction, enlarged as in the picture.
+    void showInSpace(const pipeline::GelSnapshot& snapshot);
+
+    view3d::Scene3dView& m_scene;
     camera::GelPanel* m_panel;
     camera::GelEventTable* m_events;
     std::shared_ptr<pipeline::GelChannel> m_gel;
     /// Events of the other open gels, restored when they are shown again.
     std::map<std::weak_ptr<pipeline::GelChannel>, std::deque<pipeline::GelEvent>, std::owner_less<>> m_kept;
     std::optional<double> m_latency_s;
+    double m_enlargement = 0.0; ///< in the reconstruction; 0: nothing is shown
 };
 
 } // namespace teleta::console

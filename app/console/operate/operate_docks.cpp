@@ -26,7 +26,7 @@ namespace teleta::console {
 namespace {
 
 /// Version of the layouts: stored ones of another version are not restored.
-constexpr qint32 kLayoutVersion = 7;
+constexpr qint32 kLayoutVersion = 8;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
@@ -210,7 +210,7 @@ bool OperateDocks::belongs(Kind kind, std::size_t dock) {
     if (kind == Kind::camera)
         return dock == reconstruction || dock == camera || dock == events;
     if (kind == Kind::gel)
-        return dock == gel || dock == gelEvents;
+        return dock == reconstruction || dock == gel || dock == gelEvents;
     if (kind == Kind::joints)
         return dock == reconstruction || dock == joints || dock == jog;
     if (dock < stiffness)

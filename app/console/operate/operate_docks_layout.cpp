@@ -48,10 +48,11 @@ void OperateDocks::arrangeKind() {
     }
     if (m_kind == Kind::gel) {
         addDockWidget(Qt::LeftDockWidgetArea, m_docks[gel]);
-        splitDockWidget(m_docks[gel], m_docks[gelEvents], Qt::Horizontal);
-        splitDockWidget(m_docks[gelEvents], m_docks[scene], Qt::Vertical);
+        splitDockWidget(m_docks[gel], m_docks[reconstruction], Qt::Horizontal);
+        splitDockWidget(m_docks[reconstruction], m_docks[gelEvents], Qt::Vertical);
+        splitDockWidget(m_docks[gel], m_docks[scene], Qt::Vertical);
         tabifyDockWidget(m_docks[gelEvents], m_docks[marks]);
-        show({gel, gelEvents, marks});
+        show({gel, reconstruction, gelEvents, marks});
         m_docks[gelEvents]->raise();
         return;
     }
@@ -120,7 +121,7 @@ void OperateDocks::shareSpace() {
     if (!isUsed(scene) || m_docks[scene]->isHidden() || m_kind == Kind::scene)
         return;
     if (m_kind == Kind::camera || m_kind == Kind::gel)
-        resizeDocks({m_docks[m_kind == Kind::gel ? gelEvents : camera], m_docks[scene]},
+        resizeDocks({m_docks[m_kind == Kind::gel ? gel : camera], m_docks[scene]},
                     {height() / 2, height() / 2}, Qt::Vertical);
     else
         resizeDocks(
@@ -131,16 +132,12 @@ void OperateDocks::shareSpace() {
 void OperateDocks::shareAmongKind() {
     if (m_kind == Kind::scene)
         return;
-    if (m_kind == Kind::camera) {
-        resizeDocks({m_docks[camera], m_docks[reconstruction]}, {width() * 11 / 20, width() * 9 / 20},
-                    Qt::Horizontal);
-        resizeDocks({m_docks[reconstruction], m_docks[events]}, {height() * 13 / 20, height() * 7 / 20},
-                    Qt::Vertical);
-        return;
-    }
-    if (m_kind == Kind::gel) {
-        resizeDocks({m_docks[gel], m_docks[gelEvents]}, {width() * 12 / 20, width() * 8 / 20},
-                    Qt::Horizontal);
+    if (m_kind == Kind::camera || m_kind == Kind::gel) {
+        const bool isGel = m_kind == Kind::gel;
+        resizeDocks({m_docks[isGel ? gel : camera], m_docks[reconstruction]},
+                    {width() * 11 / 20, width() * 9 / 20}, Qt::Horizontal);
+        resizeDocks({m_docks[reconstruction], m_docks[isGel ? gelEvents : events]},
+                    {height() * 13 / 20, height() * 7 / 20}, Qt::Vertical);
         return;
     }
     if (m_kind == Kind::joints) {

@@ -75,7 +75,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_arm(new ArmViews(stop, m_bracelet, *m_scene, this))
     , m_servo(new ServoViews(*m_scene, this))
     , m_camera(new CameraViews(*m_scene, this))
-    , m_gel(new GelViews(this))
+    , m_gel(new GelViews(*m_scene, this))
     , m_looking(new SceneViews(this))
     , m_marks(new MarkViews(*m_charts, this))
     , m_site(new SiteViews(*m_messages, this)) {

@@ -5,6 +5,8 @@
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
 
+#include <QCoreApplication>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -15,6 +17,10 @@
 namespace teleta::pipeline {
 
 namespace {
+
+struct RecordedGelText {
+    Q_DECLARE_TR_FUNCTIONS(RecordedStreams)
+};
 
 /// Empty: the details of the stream describe no gel.
 core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recording& recording,
@@ -46,9 +52,12 @@ recording::StreamInfo gelStream(const std::string& name, const core::CameraDescr
     recorded.crop.clear();
     recorded.flipX = false;
     recorded.flipY = false;
-    const nlohmann::ordered_json details{{"simulated", description.simulated},
-                                         {"reference_stream", reference},
-                                         {"marker_gel", vision::markerGelText(recorded)}};
+    nlohmann::ordered_json details{{"simulated", description.simulated},
+                                   {"reference_stream", reference},
+                                   {"marker_gel", vision::markerGelText(recorded)}};
+    // Of a video that was recorded again, or that a site plays.
+    if (description.recorded)
+        details["recorded"] = true;
     const bool isCropped = file.crop.size() == 4;
     return {.name = name,
             .kind = recording::StreamKind::camera,
@@ -58,6 +67,16 @@ recording::StreamInfo gelStream(const std::string& name, const core::CameraDescr
                       isCropped ? static_cast<std::size_t>(file.crop[2]) : 0},
             .nominalRate_Hz = description.nominalRate_Hz,
             .details = details.dump()};
+}
+
+recording::StreamInfo gelReferenceStream(const std::string& name,
+                                         const core::CameraDescription& description) {
+    return {.name = name,
+            .kind = recording::StreamKind::camera,
+            .type = recording::ValueType::grey8,
+            .source = description.name,
+            .shape = {0, 0},
+            .details = nlohmann::ordered_json{{"reference", true}, {"marker_gel_rest", true}}.dump()};
 }
 
 recording::StreamInfo gelContactStream(const std::string& name, const core::CameraDescription& description) {
@@ -106,6 +125,28 @@ std::vector<core::GreyImage> unstackedReference(const core::GreyImage& stack, in
         pictures.push_back(
             {{stack.pixels, stack.pixels.get() + static_cast<std::size_t>(i) * size}, width_px, height_px});
     return pictures;
+}
+
+core::Expected<DescribedGel> gelOf(const recording::StreamInfo& stream, const std::string& file) {
+    const auto document = core::JsonDocument::parse(stream.details, file);
+    if (!document)
+        return notDescribed(stream, file, document.error());
+    core::JsonReader reader(*document);
+    DescribedGel gel{.description = {.name = stream.source,
+                                     .nominalRate_Hz = stream.nominalRate_Hz,
+                                     .simulated = reader.boolean(reader.root(), "simulated", false),
+                                     .recorded = reader.boolean(reader.root(), "recorded", false)},
+                     .file = {}};
+    const std::string text = reader.text(reader.root(), "marker_gel", {});
+    if (reader.error())
+        return notDescribed(stream, file, *reader.error());
+    if (text.empty())
+        return notDescribed(stream, file, RecordedGelText::tr("it is no gel with markers"));
+    auto parsed = vision::parseMarkerGel(text, file);
+    if (!parsed)
+        return notDescribed(stream, file, parsed.error());
+    gel.file = std::move(*parsed);
+    return gel;
 }
 
 core::Expected<std::vector<RecordedGel>> recordedGels(const recording::Recording& recording,

@@ -29,6 +29,10 @@ inline constexpr std::size_t kGelContactValues = 9;
                                               const core::CameraDescription& description,
                                               const vision::MarkerGelFile& file,
                                               const std::string& reference);
+/// Pictures of the gel at rest, as stackedReference(), from which its markers' places are found until the
+/// next one comes.
+[[nodiscard]] recording::StreamInfo gelReferenceStream(const std::string& name,
+                                                       const core::CameraDescription& description);
 /// Contacts that were found, one frame a contact.
 [[nodiscard]] recording::StreamInfo gelContactStream(const std::string& name,
                                                      const core::CameraDescription& description);
@@ -41,6 +45,17 @@ inline constexpr std::size_t kGelContactValues = 9;
 /// The pictures in it again; empty: its height is no multiple of theirs, or its width another one.
 [[nodiscard]] std::vector<core::GreyImage> unstackedReference(const core::GreyImage& stack, int width_px,
                                                               int height_px);
+
+/// A gel and the camera that looks at it.
+struct DescribedGel {
+    core::CameraDescription description;
+    vision::MarkerGelFile file;
+};
+
+/// The inverse of gelStream(); the pictures come from somewhere else than a recording. file: named in errors.
+/// Error: badInput.
+[[nodiscard]] core::Expected<DescribedGel> gelOf(const recording::StreamInfo& stream,
+                                                 const std::string& file);
 
 /// A gel of a recording.
 struct RecordedGel : RecordedPictures {

@@ -51,7 +51,9 @@ private:
             0.0; ///< sum of the divergence over the loaded markers when the motion was last counted anew
         double most_m2 = 0.0; ///< the largest of these sums, at which `loaded` was found
         std::vector<std::size_t> loaded;
-        std::vector<Eigen::Vector2d> start_m; ///< displacement of each loaded marker then
+        std::vector<Eigen::Vector2d> start_m; ///< displacement of each marker of the gel then
+        Eigen::Vector2d centre_m = Eigen::Vector2d::Zero(); ///< of the load, when `loaded` was found
+        double radius_m = 0.0;                              ///< likewise; 0: it spreads the skin nowhere
     };
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
@@ -65,8 +67,10 @@ private:
     /// one.
     [[nodiscard]] Followed followedInto(std::size_t patch, std::vector<Followed>& before);
     void judgeSlip(const MarkerGel& gel, GelContactState& contact, Followed& followed) const;
-    [[nodiscard]] std::vector<std::size_t> loadedUnder(const MarkerGel& gel,
-                                                       const GelContactState& contact) const;
+    /// Sets `loaded`, `centre_m` and `radius_m`.
+    void findLoaded(const MarkerGel& gel, const GelContactState& contact, Followed& followed) const;
+    /// The share that slips, by the ring of slip or else by the markers that lag.
+    [[nodiscard]] std::optional<double> slipOf(const MarkerGel& gel, const Followed& followed) const;
     /// How far the markers of a contact that have a neighbour outside of it moved since the last picture.
     [[nodiscard]] Eigen::Vector2d rimMoved_m(const MarkerGel& gel, const GelContactState& contact) const;
     /// Sum of the divergence over markers, times the area of one.

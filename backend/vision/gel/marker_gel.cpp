@@ -315,6 +315,14 @@ void MarkerGel::judge(const cv::Mat1b& picture, double time_s) {
     m_faults.torn = !std::isnan(m_lostSince_s) && time_s - m_lostSince_s >= kTornFor_s;
 }
 
+std::array<Eigen::Vector2d, 4> MarkerGel::corners_m() const {
+    // The centre of the first pixel is (0, 0).
+    const double right_px = m_size.width - 0.5;
+    const double bottom_px = m_size.height - 0.5;
+    return {m_plane.surface_m({-0.5, -0.5}), m_plane.surface_m({right_px, -0.5}),
+            m_plane.surface_m({right_px, bottom_px}), m_plane.surface_m({-0.5, bottom_px})};
+}
+
 void MarkerGel::forget() {
     m_tracker.forget();
     m_usualLevel = std::numeric_limits<double>::quiet_NaN();

@@ -9,6 +9,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -77,6 +78,9 @@ public:
     [[nodiscard]] double noise_px() const { return m_noise_px; }
     /// Size on the surface of a pixel in the middle of the picture.
     [[nodiscard]] double scale_m() const { return m_scale_m; }
+    /// Where the corners of the picture lie on the surface, from its first pixel along the first row and
+    /// around; NaN where the lens shows no place.
+    [[nodiscard]] std::array<Eigen::Vector2d, 4> corners_m() const;
 
 private:
     MarkerGel(MarkerTracker tracker, GelPlane plane)

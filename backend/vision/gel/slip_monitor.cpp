@@ -150,10 +150,10 @@ std::optional<SharedMotion> sharedMotion(std::span<const ContactPlace> places, d
         best = fitted;
     SharedMotion shared{.turn_rad = std::atan2(best.rigid.sine, best.rigid.cosine), .sticking = best.count};
     double slipping = 0.0;
-    const bool slips = moveAsOne(places, tolerance_m);
+    shared.movesAsOne = moveAsOne(places, tolerance_m);
     for (const ContactPlace& place : places) {
         shared.sticks.push_back(agrees(best.rigid, place));
-        if (!slips)
+        if (!shared.movesAsOne)
             continue;
         const double weight = slipWeight(std::max(0.0, lagOf(best.rigid, place, tolerance_m)) / tolerance_m);
         slipping += places.size() < kLeastExtrapolated ? std::min(1.0, weight) : weight;

@@ -22,6 +22,8 @@ struct SharedMotion {
     std::vector<bool> sticks{}; ///< of each place: its residual is within the tolerance
     std::size_t sticking = 0;
     double slipShare = 0.0; ///< of the contact that stays behind the motion, 0..1
+    /// They went some way, and one rigid motion explains at least half of it; otherwise nothing slips.
+    bool movesAsOne = false;
 };
 
 /// The rigid motion of the places that stick: each pair of places proposes one, and that with which most

@@ -19,6 +19,8 @@ namespace {
 
 /// While one is coded, others come; they are replaced by the newest.
 constexpr std::size_t kTapPictures = 8;
+/// Of a gel at rest, which is sent seldom.
+constexpr int kRestQuality = 95;
 
 } // namespace
 
@@ -34,10 +36,11 @@ PictureSender::~PictureSender() {
         camera->tap->close();
 }
 
-std::shared_ptr<core::StreamTap> PictureSender::add(dds::AnyWriter writer, const PictureSettings& settings) {
+std::shared_ptr<core::StreamTap> PictureSender::add(dds::AnyWriter writer, const PictureSettings& settings,
+                                                    SentPicture kind) {
     auto tap = std::make_shared<core::StreamTap>(kTapPictures);
     const std::scoped_lock lock(m_mutex);
-    m_cameras.push_back(std::make_unique<Camera>(Camera{tap, std::move(writer), PictureBudget(settings)}));
+    m_cameras.push_back(std::make_unique<Camera>(Camera{tap, std::move(writer), PictureBudget(settings), kind}));
     if (!m_thread.joinable())
         m_thread = std::thread([this] { run(); });
     return tap;
@@ -62,6 +65,15 @@ void PictureSender::run() {
     }
 }
 
+std::vector<std::uint8_t> PictureSender::coded(const Camera& camera, const core::GreyImage& picture) {
+    const int quality = camera.kind == SentPicture::rest ? kRestQuality : camera.budget.quality();
+    auto bytes = camera.kind == SentPicture::colour ? toJpeg(core::colourOf(picture), quality)
+                                                    : toJpeg(picture, quality);
+    const std::scoped_lock lock(m_mutex);
+    m_problem = bytes ? std::nullopt : std::optional(bytes.error());
+    return bytes ? std::move(*bytes) : std::vector<std::uint8_t>();
+}
+
 void PictureSender::send(Camera& camera) {
     core::TappedFrames one;
     for (std::size_t left = camera.tap->capacity(); left > 0 && camera.tap->pop(one); --left) {
@@ -69,19 +81,16 @@ void PictureSender::send(Camera& camera) {
         one.discontinuity = one.discontinuity || camera.newest.discontinuity;
         camera.newest = std::exchange(one, {});
     }
-    if (camera.newest.frames() == 0 || !camera.budget.mayWrite(core::steadyNow_ns()))
+    const bool isKept = camera.kind == SentPicture::rest;
+    if (camera.newest.frames() == 0 || (!isKept && !camera.budget.mayWrite(core::steadyNow_ns())))
         return;
     const core::TappedFrames picture = std::exchange(camera.newest, {});
-    if (camera.writer.matched() == 0)
+    if (!isKept && camera.writer.matched() == 0)
         return;
-    auto bytes = toJpeg(core::colourOf(picture.image), camera.budget.quality());
-    {
-        const std::scoped_lock lock(m_mutex);
-        m_problem = bytes ? std::nullopt : std::optional(bytes.error());
-    }
-    if (!bytes)
+    std::vector<std::uint8_t> bytes = coded(camera, picture.image);
+    if (bytes.empty())
         return;
-    camera.budget.written(bytes->size(), core::steadyNow_ns());
+    camera.budget.written(bytes.size(), core::steadyNow_ns());
     std::string frame;
     std::string format = "jpeg";
     ros::ImageFrame message{};
@@ -92,7 +101,7 @@ void PictureSender::send(Camera& camera) {
     message.discontinuity = picture.discontinuity ? 1 : 0;
     message.image.header.frame_id = frame.data();
     message.image.format = format.data();
-    ros::lend(message.image.data, std::span(*bytes));
+    ros::lend(message.image.data, std::span(bytes));
     (void)camera.writer.writeAny(&message);
 }
 

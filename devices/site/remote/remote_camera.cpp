@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace teleta::site_link {
 
@@ -26,25 +27,46 @@ struct RemoteCameraText {
 constexpr std::size_t kQueueFrames = 8;
 constexpr std::int64_t kLeastSilence_ns = 3'000'000'000;
 
+/// Of a grey picture that was decoded in colour: all three are alike.
+core::GreyImage greyOf(const core::ColourImage& picture) {
+    const std::size_t size = static_cast<std::size_t>(picture.width_px) * picture.height_px;
+    auto pixels = std::make_shared<std::vector<std::uint8_t>>(size);
+    for (std::size_t i = 0; i < size; ++i)
+        (*pixels)[i] = picture.pixels.get()[3 * i];
+    return {{pixels, pixels->data()}, picture.width_px, picture.height_px};
+}
+
 } // namespace
 
 core::Expected<std::unique_ptr<RemoteCamera>> RemoteCamera::open(std::shared_ptr<SiteClient> site,
                                                                  const std::string& name,
-                                                                 core::CameraDescription description) {
+                                                                 core::CameraDescription description,
+                                                                 Sees sees) {
     TELETA_TRY(auto reader,
-               dds::Reader<ros::ImageFrame>::open(site->participant(), site->topics().image(name), kNewest));
+               dds::Reader<ros::ImageFrame>::open(site->participant(), site->topics().image(name),
+                                                  sees == Sees::gel ? kStreamed : kNewest));
+    std::optional<dds::Reader<ros::ImageFrame>> restReader;
+    if (sees == Sees::gel) {
+        TELETA_TRY(auto opened, dds::Reader<ros::ImageFrame>::open(site->participant(),
+                                                                   site->topics().rest(name), kLatched));
+        restReader.emplace(std::move(opened));
+    }
     return std::unique_ptr<RemoteCamera>(
-        new RemoteCamera(std::move(site), std::move(description), std::move(reader)));
+        new RemoteCamera(std::move(site), std::move(description), std::move(reader), std::move(restReader)));
 }
 
 RemoteCamera::RemoteCamera(std::shared_ptr<SiteClient> site, core::CameraDescription description,
-                           dds::Reader<ros::ImageFrame> reader)
+                           dds::Reader<ros::ImageFrame> reader,
+                           std::optional<dds::Reader<ros::ImageFrame>> restReader)
     : m_site(std::move(site))
     , m_description(std::move(description))
     , m_reader(std::move(reader))
+    , m_restReader(std::move(restReader))
     , m_waitSet(m_site->participant())
     , m_outlet(kQueueFrames) {
     m_waitSet.attach(m_reader);
+    if (m_restReader)
+        m_waitSet.attach(*m_restReader);
 }
 
 void RemoteCamera::open(core::Wakeup& consumer) {
@@ -60,6 +82,10 @@ void RemoteCamera::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         m_waitSet.wait(RemoteStream::kLook_ns);
         const std::uint64_t before = m_number;
+        // Before the pictures that are compared with it.
+        if (m_restReader)
+            (void)m_restReader->take(
+                [this](const ros::ImageFrame& message, const dds::SampleInfo&) { takeRest(message); });
         (void)m_reader.take(
             [this](const ros::ImageFrame& message, const dds::SampleInfo&) { take(message); });
         if (m_number != before)
@@ -81,6 +107,21 @@ core::Expected<core::ColourImage> RemoteCamera::pictureOf(const ros::ImageFrame&
     return ros_camera::pictureOf(message.image);
 }
 
+core::ColourImage RemoteCamera::decoded(const ros::ImageFrame& message) {
+    auto picture = pictureOf(message);
+    if (picture)
+        return std::move(*picture);
+    m_outlet.lose(1);
+    if (std::exchange(m_misfit, picture.error().message).empty())
+        m_outlet.setState(m_outlet.state(), core::steadyNow_ns(), m_misfit);
+    return {};
+}
+
+void RemoteCamera::takeRest(const ros::ImageFrame& message) {
+    if (const core::ColourImage rest = decoded(message); !rest.isEmpty())
+        m_rest = greyOf(rest);
+}
+
 void RemoteCamera::take(const ros::ImageFrame& message) {
     const std::int64_t arrived_ns = core::steadyNow_ns();
     const RemoteStream::Step step = m_stream.take(bootNameOf(message.site_boot), message.number, 1);
@@ -89,16 +130,13 @@ void RemoteCamera::take(const ros::ImageFrame& message) {
     if (step.lost > 0)
         m_outlet.lose(step.lost);
     m_discontinuity = m_discontinuity || step.discontinuity || message.discontinuity != 0;
-    auto picture = pictureOf(message);
-    if (!picture) {
-        m_outlet.lose(1);
-        if (std::exchange(m_misfit, picture.error().message).empty())
-            m_outlet.setState(m_outlet.state(), arrived_ns, m_misfit);
+    core::ColourImage picture = decoded(message);
+    if (picture.isEmpty())
         return;
-    }
     m_misfit.clear();
     core::CameraFrame frame;
-    frame.image = core::bytesOf(std::move(*picture));
+    frame.image = m_restReader ? greyOf(picture) : core::bytesOf(std::move(picture));
+    frame.reference = std::exchange(m_rest, {});
     frame.time_ns = m_stream.inOrder(m_site->readTime_ns(message.read_site_ns, arrived_ns));
     frame.capture_s = message.capture_s;
     frame.number = m_number++;

@@ -13,22 +13,26 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
 namespace teleta::site_link {
 
-/// A camera at a site that is looked at. Its frames are colour pictures, see core::colourOf(). Times are
-/// those of the reads at the site, by the clock here.
+/// A camera at a site: one that is looked at, whose frames are colour pictures, see core::colourOf(), or one
+/// in front of a gel with markers, whose frames are grey; the first one after the site has taken the gel at
+/// rest brings those pictures. Times are those of the reads at the site, by the clock here.
 ///   connecting -> live <-> stale; stop(): closed
 /// A message that is no whole JPEG picture is a lost frame; the status names the first of them, until a
 /// picture comes. Thread: as core::CameraSource.
 class RemoteCamera : public core::CameraSource {
 public:
-    /// name: of the camera at the site. description: as the site describes it. Error: unavailable, its topic
+    enum class Sees { surroundings, gel };
+    /// name: of the camera at the site. description: as the site describes it. Error: unavailable, its topics
     /// cannot be opened.
     [[nodiscard]] static core::Expected<std::unique_ptr<RemoteCamera>>
-    open(std::shared_ptr<SiteClient> site, const std::string& name, core::CameraDescription description);
+    open(std::shared_ptr<SiteClient> site, const std::string& name, core::CameraDescription description,
+         Sees sees = Sees::surroundings);
 
     [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
     void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
@@ -39,17 +43,22 @@ public:
 private:
     friend core::DeviceThread<RemoteCamera>;
     RemoteCamera(std::shared_ptr<SiteClient> site, core::CameraDescription description,
-                 dds::Reader<ros::ImageFrame> reader);
+                 dds::Reader<ros::ImageFrame> reader,
+                 std::optional<dds::Reader<ros::ImageFrame>> restReader);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
     void wake() { m_waitSet.wake(); }
     void take(const ros::ImageFrame& message);
+    void takeRest(const ros::ImageFrame& message);
+    /// Empty: it is none, which is counted and told.
+    [[nodiscard]] core::ColourImage decoded(const ros::ImageFrame& message);
     [[nodiscard]] static core::Expected<core::ColourImage> pictureOf(const ros::ImageFrame& message);
 
     std::shared_ptr<SiteClient> m_site;
     core::CameraDescription m_description;
     dds::Reader<ros::ImageFrame> m_reader;
+    std::optional<dds::Reader<ros::ImageFrame>> m_restReader; ///< of a gel
     dds::WaitSet m_waitSet;
     core::CameraOutlet m_outlet;
     RemoteStream m_stream;
@@ -58,6 +67,7 @@ private:
     std::string m_misfit; ///< why messages are no pictures, since the last one that was; empty: they are
     std::uint64_t m_number = 0;
     bool m_discontinuity = false;
+    core::GreyImage m_rest; ///< to go with the next picture; empty: none
 
     core::DeviceThread<RemoteCamera> m_thread{*this};
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/site/site_file.h"
+#include "tests/backend/core/temporary_folder.h"
 
 #include <QTemporaryDir>
 
@@ -110,11 +111,36 @@ TEST(SiteFile, devicesHaveNamesOfTheirOwn) {
               std::string::npos);
     EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nfile = \"Left Arm.toml\"\n").find("needs an id"),
               std::string::npos);
-    for (const char* kind : {"gel", "recording"})
-        EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\n" + kind + " = \"0\"\n")
-                      .find("does not send this kind"),
-                  std::string::npos)
-            << kind;
+    EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\nrecording = \"0\"\n")
+                  .find("does not send this kind"),
+              std::string::npos);
+}
+
+TEST(SiteFile, aGelIsADeviceByItsOwnFileOrByAKey) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path("finger.toml")) << "kind = \"marker_gel\"\nsource = \"0\"\n"
+                                                 "[plane]\nmm_per_px = 0.1\n";
+    const auto file = parseSite(std::string(kHead) + R"([[device]]
+gel = "finger.toml"
+id = "thumb"
+quality = 95
+max_kbit_s = 4000
+[[device]]
+file = "finger.toml"
+)",
+                                folder.path("site.toml"));
+    ASSERT_TRUE(file) << core::describe(file.error());
+    ASSERT_EQ(file->devices.size(), 2U);
+    EXPECT_EQ(file->devices[0].id, "thumb");
+    EXPECT_EQ(std::get<app::GelRequest>(file->devices[0].request).path, folder.path("finger.toml"));
+    EXPECT_EQ(file->devices[0].pictures.quality, 95);
+    EXPECT_EQ(file->devices[0].pictures.most_kbitPerS, 4000.0);
+    EXPECT_EQ(file->devices[1].id, "finger");
+    EXPECT_EQ(std::get<app::GelRequest>(file->devices[1].request).path, folder.path("finger.toml"));
+    EXPECT_NE(errorOf(std::string(kHead) + "[[device]]\nid = \"a\"\ngel = \"g.toml\"\nframe = \"tool0\"\n")
+                  .find("frame"),
+              std::string::npos)
+        << "it is no array on an arm";
 }
 
 TEST(SiteFile, aCameraIsLookedAt) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/pipeline/recorded/recorded_camera.h"
+#include "backend/pipeline/recorded/recorded_gel.h"
 #include "devices/site/site_streams.h"
 #include "devices/site/site_topics.h"
 
@@ -52,6 +54,30 @@ TEST(SiteTopics, temperaturesAreSentAndNoOtherNumbers) {
         stream.name = other;
         EXPECT_EQ(deviceOf(stream), "") << other;
     }
+}
+
+TEST(SiteTopics, aGelIsSentWithItsRestAndATubeIsNot) {
+    const SiteTopics topics("lab");
+    const core::CameraDescription camera{.name = "finger", .nominalRate_Hz = 25.0};
+    vision::MarkerGelFile file;
+    file.plane.mmPerPx = 0.1;
+    const auto pictures = pipeline::gelStream("finger-camera", camera, file, "finger-reference");
+    EXPECT_EQ(deviceOf(pictures), "finger");
+    EXPECT_STREQ(topicOf(pictures, topics).kind, "image");
+    EXPECT_EQ(topicOf(pictures, topics).name, "rt/teleta/lab/image/finger");
+    EXPECT_GT(topicOf(pictures, topics).profile.depth, 1) << "each picture is followed";
+    const auto rest = pipeline::gelReferenceStream("finger-reference", camera);
+    EXPECT_EQ(deviceOf(rest), "finger");
+    EXPECT_STREQ(topicOf(rest, topics).kind, "rest");
+    EXPECT_EQ(topicOf(rest, topics).name, "rt/teleta/lab/rest/finger");
+    EXPECT_EQ(topicOf(rest, topics).profile.durability, ros::Durability::transientLocal);
+    EXPECT_EQ(deviceOf(pipeline::gelContactStream("finger-contacts", camera)), "");
+    EXPECT_EQ(deviceOf(pipeline::referenceStream("tube-reference", camera)), "");
+    recording::StreamInfo tube = pictures;
+    tube.details = "{\"camera\": {}}";
+    EXPECT_EQ(deviceOf(tube), "");
+    tube.details = "no JSON";
+    EXPECT_EQ(deviceOf(tube), "");
 }
 
 } // namespace

@@ -20,6 +20,8 @@ inline pipeline::GelSnapshot sampleGel() {
     snapshot.frame = 40;
     snapshot.scale_m = 1e-4;
     snapshot.noise_m = 3e-6;
+    snapshot.corners_m = {Eigen::Vector2d(-5e-5, -5e-5), Eigen::Vector2d(0.03195, -5e-5),
+                          Eigen::Vector2d(0.03195, 0.02395), Eigen::Vector2d(-5e-5, 0.02395)};
     snapshot.usable = true;
     snapshot.work_ns = 2'100'000;
     snapshot.processed_Hz = 25.0;
@@ -44,8 +46,10 @@ inline pipeline::GelSnapshot sampleGel() {
     contact.id = 2;
     contact.markers = {4};
     contact.outline_px = {{120.0, 80.0}, {200.0, 80.0}, {200.0, 160.0}, {120.0, 160.0}};
+    contact.outline = {{0.012, 0.008}, {0.020, 0.008}, {0.020, 0.016}, {0.012, 0.016}};
     contact.area_m2 = 64e-6;
     contact.centre_m = {0.016, 0.012};
+    contact.normalProxy_m2 = 2e-5;
     contact.shearProxy_m = {0.0, 2e-4};
     contact.torsion_rad = 0.1;
     contact.slipIndex = 0.42;

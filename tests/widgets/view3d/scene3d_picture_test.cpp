@@ -3,8 +3,10 @@
 // structure is compared (SSIM), so that another version of Mesa or of the fonts passes, and a part that is
 // missing, elsewhere or in another shade does not. TELETA_WRITE_PICTURES=1 writes the kept ones anew.
 #include "tests/widgets/camera/sample_camera.h"
+#include "tests/widgets/camera/sample_gel.h"
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
+#include "widgets/view3d/scene/gel_part.h"
 #include "widgets/view3d/scene3d_view.h"
 #include "widgets/view3d/scene_overlay.h"
 #include "widgets/view3d/vtk/guest_render_window.h"
@@ -170,6 +172,31 @@ void showContour(Scene3dView& view) {
     view.setContour(circle(16, false), circle(96, true), {}, {});
 }
 
+/// Markers every 2 mm that went away from the middle and to one side, and a contact that shears and turns.
+void showGel(Scene3dView& view) {
+    pipeline::GelSnapshot snapshot = test::sampleGel();
+    snapshot.markers.clear();
+    snapshot.motions.clear();
+    for (int row = 0; row < 11; ++row)
+        for (int column = 0; column < 15; ++column) {
+            vision::GelMarker marker;
+            marker.rest_m = {0.002 * (column + 1), 0.002 * (row + 1)};
+            const Eigen::Vector2d off = marker.rest_m - Eigen::Vector2d(0.016, 0.012);
+            vision::GelMotion motion;
+            motion.found = row != 1 || column != 12;
+            motion.displacement_m =
+                std::exp(-off.squaredNorm() / 3.2e-5) * (0.06 * off + Eigen::Vector2d(3e-4, 1e-4));
+            snapshot.markers.push_back(marker);
+            snapshot.motions.push_back(motion);
+        }
+    vision::GelContactState& contact = snapshot.contacts.front();
+    contact.shearProxy_m = {6e-4, 2e-4};
+    contact.torsion_rad = 0.3;
+    const std::array words{
+        view3d::GelWords{QStringLiteral("slip 0.42"), QString(), {QColor(184, 134, 11), QColor(255, 200, 0)}}};
+    view.setGel(&snapshot, 4.0, words);
+}
+
 struct Example {
     const char* name;
     std::function<void(Scene3dView&)> show;
@@ -200,6 +227,7 @@ const std::vector<Example> kExamples{
     {"trail", showTrail},
     {"limit", showLimit, {0.4, 0.25, 0.4, 0.4}},
     {"wrench", showWrench, {0.35, 0.2, 0.35, 0.35}},
+    {"gel", showGel},
 };
 
 } // namespace
@@ -310,6 +338,8 @@ private slots:
         QTest::newRow("limit") << 7 << QStringLiteral("jointLimits");
         QTest::newRow("force") << 8 << QStringLiteral("forces");
         QTest::newRow("moment") << 8 << QStringLiteral("moments");
+        QTest::newRow("displacement of a gel") << 9 << QStringLiteral("displacement");
+        QTest::newRow("press on a gel") << 9 << QStringLiteral("forces");
     }
     void aMarkThatIsMissingIsSeen() {
         QFETCH(int, index);

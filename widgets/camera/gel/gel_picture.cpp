@@ -109,8 +109,8 @@ QString GelPicture::slipText(const GelContactState& contact) {
                              : tr("slip unknown");
 }
 
-QColor GelPicture::slipColour(const GelContactState& contact) {
-    const base::StatusColours& colours = base::statusColours(base::designedPalette(true));
+QColor GelPicture::slipColour(const GelContactState& contact, bool onDark) {
+    const base::StatusColours& colours = base::statusColours(base::designedPalette(onDark));
     if (!contact.slipIndex)
         return colours.neutral;
     return *contact.slipIndex >= vision::kSlipIndex            ? colours.lost

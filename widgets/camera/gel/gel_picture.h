@@ -43,8 +43,8 @@ public:
     [[nodiscard]] static QString wordsFor(const vision::GelContactState& contact);
     /// "slip 0.42", or that the index is not known.
     [[nodiscard]] static QString slipText(const vision::GelContactState& contact);
-    /// Of a slip index, over the picture.
-    [[nodiscard]] static QColor slipColour(const vision::GelContactState& contact);
+    /// Of a slip index; over the picture, as on a dark ground.
+    [[nodiscard]] static QColor slipColour(const vision::GelContactState& contact, bool onDark = true);
 
     /// The displacement that the legend's arrow stands for, and how long it is on the screen.
     struct Legend {

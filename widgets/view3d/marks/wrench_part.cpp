@@ -21,7 +21,6 @@ constexpr double kTurnHead = 1.6;
 constexpr double kTurn = 0.75; ///< radius of the turn, in longest arrows
 constexpr double kMarkOfArrow = 0.15;
 constexpr double kMostTurn_rad = 150.0 * std::numbers::pi / 180.0; ///< at the full range
-constexpr int kTurnSteps = 24;
 
 bool isInNewton(const TouchScene& scene) {
     return scene.hasSensor() && scene.snapshot().loadUnit == "N";
@@ -103,22 +102,13 @@ void WrenchPart::drawMoment(const TouchScene& scene) {
     const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d centre(*features.cocX_m, *features.cocY_m, size.tile_m);
     const double radius_m = kTurn * size.arrow_m;
-    const auto at = [&](double angle_rad) {
-        return scene.toWorld(centre + radius_m * (Eigen::AngleAxisd(angle_rad, axis) * up));
-    };
     // Around the normal, so that the array hides nothing of it.
     const double half_rad = 0.5 * share * kMostTurn_rad;
-    const double head_m = std::min(kTurnHead * size.mark_m, 2.0 * half_rad * radius_m);
-    const double neck_rad = half_rad - head_m / radius_m;
-    const QRgb colour = m_colours.moment.rgb();
-    Eigen::Vector3d from = at(-half_rad);
-    for (int i = 1; i <= kTurnSteps; ++i) {
-        const Eigen::Vector3d to = at(-half_rad + (neck_rad + half_rad) * i / kTurnSteps);
-        m_moment.cone(from, to, kTurnShaft * size.mark_m, kTurnShaft * size.mark_m, colour);
-        from = to;
-    }
-    m_momentHead = at(half_rad);
-    m_moment.cone(from, *m_momentHead, 2.4 * kTurnShaft * size.mark_m, 0.0, colour);
+    const Eigen::Vector3d tail = centre + radius_m * (Eigen::AngleAxisd(-half_rad, axis) * up);
+    const Eigen::Vector3d head = centre + radius_m * (Eigen::AngleAxisd(half_rad, axis) * up);
+    m_momentHead = scene.toWorld(head);
+    m_moment.turn(scene.toWorld(centre), scene.X_World_Sensor().linear() * axis, scene.toWorld(tail),
+                  2.0 * half_rad, kTurnShaft * size.mark_m, kTurnHead * size.mark_m, m_colours.moment.rgb());
 }
 
 } // namespace teleta::view3d

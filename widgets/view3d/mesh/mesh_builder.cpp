@@ -160,6 +160,28 @@ void MeshBuilder::arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, 
     cone(neck, to, 2.4 * shaftRadius, 0.0, colour);
 }
 
+void MeshBuilder::turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis,
+                       const Eigen::Vector3d& from, double angle_rad, double shaftRadius, double headLength,
+                       QRgb colour) {
+    constexpr int kSteps = 24;
+    const Eigen::Vector3d arm = from - centre;
+    const double radius = (arm - arm.dot(axis) * axis).norm();
+    if (!(radius > 0.0) || angle_rad == 0.0)
+        return;
+    const auto at = [&](double angle) -> Eigen::Vector3d {
+        return centre + Eigen::AngleAxisd(angle, axis) * arm;
+    };
+    const double head = std::min(headLength, radius * std::abs(angle_rad));
+    const double neck_rad = angle_rad - std::copysign(head / radius, angle_rad);
+    Eigen::Vector3d begin = from;
+    for (int i = 1; i <= kSteps; ++i) {
+        const Eigen::Vector3d end = at(neck_rad * i / kSteps);
+        cone(begin, end, shaftRadius, shaftRadius, colour);
+        begin = end;
+    }
+    cone(begin, at(angle_rad), 2.4 * shaftRadius, 0.0, colour);
+}
+
 void MeshBuilder::octahedron(const Eigen::Vector3d& centre, double radius, QRgb colour) {
     for (const double sx : {-1.0, 1.0}) {
         for (const double sy : {-1.0, 1.0}) {

@@ -41,6 +41,9 @@ public:
     /// An arrow whose head ends at `to`. headLength is shortened when the arrow is shorter than its head.
     void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double shaftRadius, double headLength,
                QRgb colour);
+    /// The same bent around an axis of length 1 through `centre`: from a point by an angle, right-handed.
+    void turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, const Eigen::Vector3d& from,
+              double angle_rad, double shaftRadius, double headLength, QRgb colour);
     /// Eight triangles, points on the axes at `radius`.
     void octahedron(const Eigen::Vector3d& centre, double radius, QRgb colour);
     /// Four corners in order, with one normal.

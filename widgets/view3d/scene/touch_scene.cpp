@@ -41,6 +41,7 @@ TouchScene::TouchScene(const SceneColours& colours)
     m_objects.addTo(m_renderer);
     m_arm.addTo(m_renderer);
     m_tube.addTo(m_renderer);
+    m_gel.addTo(m_renderer);
     m_sensor.setPose(m_poseMatrix);
     m_contacts.setPose(m_poseMatrix);
     m_axes.setPose(m_poseMatrix);
@@ -226,6 +227,18 @@ bool TouchScene::setTube(const pipeline::CameraSnapshot* snapshot) {
     return other || was != m_tube.isShown();
 }
 
+bool TouchScene::setGel(const pipeline::GelSnapshot* snapshot, double enlargement,
+                        std::span<const GelWords> words) {
+    const bool was = m_gel.isShown();
+    bool other = was;
+    if (snapshot == nullptr)
+        m_gel.clear();
+    else
+        other = m_gel.set(*snapshot, enlargement, words);
+    coverGround(other);
+    return other || was != m_gel.isShown();
+}
+
 void TouchScene::setAxesShown(bool shown) {
     m_axesShown = shown;
     m_axes.setVisible(axesShown());
@@ -245,6 +258,7 @@ void TouchScene::applyColours(const SceneColours& colours) {
     m_arm.applyColours(colours);
     m_robot.applyColours(colours);
     m_tube.applyColours(colours);
+    m_gel.applyColours(colours);
     m_bodyStale = m_bodyStale || m_hasSensor;
 }
 
@@ -255,6 +269,7 @@ void TouchScene::applyPixelScale(double scale) {
     m_contour.applyPixelScale(scale);
     m_objects.applyPixelScale(scale);
     m_tube.applyPixelScale(scale);
+    m_gel.applyPixelScale(scale);
 }
 
 Eigen::AlignedBox3d TouchScene::sensorBox_m() const {
@@ -299,6 +314,7 @@ std::vector<Eigen::Vector3d> TouchScene::corners() const {
         add({*m_armForceAt_m - arrow, *m_armForceAt_m + arrow}, Eigen::Isometry3d::Identity());
     }
     add(m_tube.box_m(), Eigen::Isometry3d::Identity());
+    add(m_gel.box_m(), Eigen::Isometry3d::Identity());
     if (corners.empty()) {
         const Eigen::Vector3d half = Eigen::Vector3d::Constant(kEmptySceneHalf_m);
         add({-half, half}, Eigen::Isometry3d::Identity());
@@ -338,6 +354,9 @@ std::vector<vtkSmartPointer<vtkPolyData>> TouchScene::worldMeshes() const {
     meshes.clear();
     m_tube.appendMeshes(meshes);
     add(meshes, m_tube.pose());
+    meshes.clear();
+    m_gel.appendMeshes(meshes);
+    add(meshes, m_gel.pose());
     meshes.clear();
     m_contour.appendMeshes(meshes);
     m_objects.appendMeshes(meshes);

@@ -7,6 +7,7 @@
 #include "widgets/view3d/scene/contact_part.h"
 #include "widgets/view3d/scene/contour_part.h"
 #include "widgets/view3d/scene/frame_part.h"
+#include "widgets/view3d/scene/gel_part.h"
 #include "widgets/view3d/scene/objects_part.h"
 #include "widgets/view3d/scene/place_raster.h"
 #include "widgets/view3d/scene/robot_part.h"
@@ -66,8 +67,13 @@ public:
     void setDisplacementShown(bool shown) {
         m_contacts.setDisplacementShown(shown);
         m_tube.setDisplacementShown(shown);
+        m_gel.setDisplacementShown(shown);
     }
-    void setForcesShown(bool shown) { m_contacts.setForcesShown(shown); }
+    void setForcesShown(bool shown) {
+        m_contacts.setForcesShown(shown);
+        m_gel.setForcesShown(shown);
+    }
+    void setTurnsShown(bool shown) { m_gel.setTurnsShown(shown); }
     /// A force on the arm: one that is drawn beside the contacts' has their scale, and the longest arrow of
     /// one with a scale of its own fits into corners(). Empty: there is none.
     void setForce(const std::optional<DrawnForce>& force);
@@ -76,6 +82,10 @@ public:
     /// The tube watched by a camera; null: none. Returns whether the outer shape of the scene changed.
     bool setTube(const pipeline::CameraSnapshot* snapshot);
     [[nodiscard]] const TubePart& tube() const { return m_tube; }
+    /// The flat gel watched by a camera; null: none. Otherwise as GelPart::set(). Returns whether the outer
+    /// shape of the scene changed.
+    bool setGel(const pipeline::GelSnapshot* snapshot, double enlargement, std::span<const GelWords> words);
+    [[nodiscard]] const GelPart& gel() const { return m_gel; }
     void applyColours(const SceneColours& colours);
     void applyPixelScale(double scale);
 
@@ -110,7 +120,7 @@ public:
     }
     [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
     [[nodiscard]] bool isEmpty() const {
-        return !m_hasSensor && !m_tube.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty() &&
+        return !m_hasSensor && !m_tube.isShown() && !m_gel.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty() &&
                m_objects.objects().empty();
     }
 
@@ -155,6 +165,7 @@ private:
     ArmPart m_arm;
     RobotPart m_robot{m_renderer};
     TubePart m_tube;
+    GelPart m_gel;
 };
 
 } // namespace teleta::view3d

@@ -8,8 +8,10 @@
 #include "widgets/camera/gel/gel_event_table.h"
 #include "widgets/camera/gel/gel_panel.h"
 #include "widgets/camera/gel/gel_view.h"
+#include "widgets/view3d/scene3d_view.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -70,6 +72,18 @@ private slots:
         QVERIFY(readings.front().latency_s.has_value());
     }
 
+    void theReconstructionHasTheGelEnlargedAsInItsPictureUntilItGoes() {
+        QVERIFY(comes([&] { return !shown().contacts.empty(); }));
+        const QString path = m_folder.filePath("gel.stl");
+        QVERIFY(m_page->reconstruction().saveGeometry(path));
+        const qint64 whole = QFileInfo(path).size();
+        // 80 markers, each a disc: far more than the gel's six faces.
+        QVERIFY(whole > 84 + 50 * 80 * 20);
+        m_sources->closeAll();
+        QVERIFY(comes([&] { return !panel().isEnabled(); }));
+        QVERIFY2(!m_page->reconstruction().saveGeometry(path), "nothing is left");
+    }
+
     void theButtonTakesTheRestAnew() {
         QVERIFY(comes([&] { return listed("rest taken") == 1; }));
         QTest::mouseClick(panel().findChild<QPushButton*>("gelReference"), Qt::LeftButton);
@@ -85,6 +99,7 @@ private slots:
         QVERIFY(comes([&] { return m_sources->active()->key == first; }));
         QVERIFY(listed("rest taken") >= 1);
         QVERIFY(OperateDocks::belongs(OperateDocks::Kind::gel, OperateDocks::gel));
+        QVERIFY(OperateDocks::belongs(OperateDocks::Kind::gel, OperateDocks::reconstruction));
         QVERIFY(!OperateDocks::belongs(OperateDocks::Kind::gel, OperateDocks::camera));
         QVERIFY(!OperateDocks::belongs(OperateDocks::Kind::camera, OperateDocks::gel));
         m_sources->closeAll();

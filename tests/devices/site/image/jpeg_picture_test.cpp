@@ -36,6 +36,20 @@ TEST(JpegPicture, otherProgramsSeeTheSamePicture) {
         ASSERT_NEAR(rgb.data[i], picture.pixels.get()[i], 16) << i;
 }
 
+TEST(JpegPicture, aGreyPictureHasOneColourOnly) {
+    cv::Mat1b picture(48, 64);
+    for (int row = 0; row < 48; ++row)
+        for (int column = 0; column < 64; ++column)
+            picture(row, column) = static_cast<std::uint8_t>(2 * row + 2 * column);
+    const auto bytes = toJpeg(core::greyImageOf(picture), 95);
+    ASSERT_TRUE(bytes) << core::describe(bytes.error());
+    EXPECT_TRUE(isWholeJpeg(*bytes));
+    const cv::Mat seen = cv::imdecode(*bytes, cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(seen.channels(), 1);
+    ASSERT_EQ(seen.size(), cv::Size(64, 48));
+    EXPECT_LE(cv::norm(seen, picture, cv::NORM_INF), 4.0);
+}
+
 TEST(JpegPicture, aLowerQualityTakesFewerBytes) {
     const auto fine = toJpeg(gradient(), 95);
     const auto coarse = toJpeg(gradient(), 10);
@@ -44,7 +58,8 @@ TEST(JpegPicture, aLowerQualityTakesFewerBytes) {
 }
 
 TEST(JpegPicture, anEmptyPictureIsRefused) {
-    EXPECT_FALSE(toJpeg({}, 70));
+    EXPECT_FALSE(toJpeg(core::ColourImage(), 70));
+    EXPECT_FALSE(toJpeg(core::GreyImage(), 70));
 }
 
 TEST(JpegPicture, whatWasCutOffIsNotWhole) {
