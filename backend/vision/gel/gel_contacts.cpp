@@ -25,7 +25,6 @@ constexpr double kLoadedShare = 0.25; ///< of the largest divergence
 constexpr double kLoadChanges = 0.25;
 constexpr double kRadial = 0.5; ///< sum of displacements over sum of their sizes, below which they spread
 constexpr double kLoadNoises = 3.0;
-constexpr std::size_t kLeastLoaded = 5;
 
 /// Of at least three points.
 std::vector<Eigen::Vector2d> hullOf(const std::vector<Eigen::Vector2d>& points) {
@@ -272,8 +271,7 @@ void GelContacts::findLoaded(const MarkerGel& gel, const GelContactState& contac
         if (motions[i].found && m_strains[i].known && off_m2(i) <= reach_m2)
             loaded.push_back(i);
     }
-    const bool spreads =
-        loaded.size() >= kLeastLoaded && loadOn_m2(loaded) >= loadNoise_m2(loaded.size());
+    const bool spreads = !loaded.empty() && loadOn_m2(loaded) >= loadNoise_m2(loaded.size());
     followed.centre_m = contact.centre_m;
     followed.radius_m = spreads ? std::sqrt(reach_m2) : 0.0;
     followed.loaded = spreads ? std::move(loaded) : contact.markers;
@@ -295,10 +293,8 @@ Eigen::Vector2d GelContacts::rimMoved_m(const MarkerGel& gel, const GelContactSt
 
 void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Followed& followed) const {
     const std::vector<GelMotion>& motions = gel.motions();
+    const bool changed = followed.loaded.empty() || loadChanged(gel, followed);
     const double load_m2 = loadOn_m2(followed.loaded);
-    const bool changed = followed.loaded.empty() || std::abs(load_m2 - followed.load_m2) >
-                                                        std::max(kLoadChanges * std::abs(followed.load_m2),
-                                                                 loadNoise_m2(followed.loaded.size()));
     // A load that falls leaves the contact where it was, and its spread becomes too small to tell.
     if (changed && (followed.loaded.empty() || load_m2 > followed.most_m2)) {
         findLoaded(gel, contact, followed);
@@ -317,40 +313,61 @@ void GelContacts::judgeSlip(const MarkerGel& gel, GelContactState& contact, Foll
         followed.monitor.next(contact.slipIndex, contact.shearProxy_m, rimMoved_m(gel, contact), m_noise_m);
 }
 
-std::optional<double> GelContacts::slipOf(const MarkerGel& gel, const Followed& followed) const {
-    const std::vector<GelMotion>& motions = gel.motions();
-    // As long as the load changes little, the spread grows in proportion to it.
-    std::vector<ContactPlace> places;
-    std::vector<Eigen::Vector2d> spread_m;
-    Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
+GelContacts::Moved GelContacts::movedSince(const MarkerGel& gel, const Followed& followed) {
+    Moved moved;
     const auto add = [&](std::size_t i) {
-        if (!motions[i].found || !followed.start_m[i].allFinite())
+        const GelMotion& motion = gel.motions()[i];
+        if (!motion.found || !followed.start_m[i].allFinite())
             return;
-        places.push_back({.rest_m = gel.markers()[i].rest_m + followed.start_m[i],
-                          .moved_m = motions[i].displacement_m - followed.start_m[i]});
-        spread_m.push_back(followed.start_m[i]);
+        moved.places.push_back({.rest_m = gel.markers()[i].rest_m + followed.start_m[i],
+                                .moved_m = motion.displacement_m - followed.start_m[i]});
+        moved.spread_m.push_back(followed.start_m[i]);
     };
     std::ranges::for_each(followed.loaded, add);
-    const std::size_t loaded = places.size();
-    for (const Eigen::Vector2d& spread : spread_m)
-        mean_m += spread / static_cast<double>(loaded);
-    double growth = 0.0;
-    if (std::abs(followed.load_m2) > loadNoise_m2(followed.loaded.size()))
-        growth = growthAcross(places, spread_m).value_or(loadOn_m2(followed.loaded) / followed.load_m2 - 1.0);
-    // Those close around it tell of the ring, too.
-    for (std::size_t i = 0; followed.radius_m > 0.0 && i < motions.size(); ++i)
+    moved.loaded = moved.places.size();
+    // Those around it tell of the ring, too.
+    for (std::size_t i = 0; followed.radius_m > 0.0 && i < gel.markers().size(); ++i)
         if (std::ranges::find(followed.loaded, i) == followed.loaded.end())
             add(i);
+    return moved;
+}
+
+bool GelContacts::loadChanged(const MarkerGel& gel, const Followed& followed) const {
+    const double load_m2 = loadOn_m2(followed.loaded);
+    const double noise_m2 = loadNoise_m2(followed.loaded.size());
+    const double least_m2 = std::max(kLoadChanges * std::abs(followed.load_m2), noise_m2);
+    if (std::abs(load_m2 - followed.load_m2) <= least_m2)
+        return false;
+    // A ring of slip stretches the skin on one side and presses it together on the other. Over few markers
+    // that does not cancel; across the way there is nothing of it.
+    const Moved moved = movedSince(gel, followed);
+    const auto growth = growthAcross(std::span(moved.places).first(moved.loaded),
+                                     std::span(moved.spread_m).first(moved.loaded));
+    return !growth || std::abs(*growth * followed.load_m2) > least_m2;
+}
+
+std::optional<double> GelContacts::slipOf(const MarkerGel& gel, const Followed& followed) const {
+    Moved moved = movedSince(gel, followed);
+    std::vector<ContactPlace>& places = moved.places;
+    const auto loaded = std::span(places).first(moved.loaded);
+    const auto spread_m = std::span(moved.spread_m).first(moved.loaded);
+    // As long as the load changes little, the spread grows in proportion to it.
+    double growth = 0.0;
+    if (std::abs(followed.load_m2) > loadNoise_m2(followed.loaded.size()))
+        growth = growthAcross(loaded, spread_m).value_or(loadOn_m2(followed.loaded) / followed.load_m2 - 1.0);
+    Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& spread : spread_m)
+        mean_m += spread / static_cast<double>(spread_m.size());
     for (std::size_t i = 0; i < places.size(); ++i)
-        places[i].moved_m -= growth * (spread_m[i] - mean_m);
+        places[i].moved_m -= growth * (moved.spread_m[i] - mean_m);
     const double noise_m = gel.scale_m() * std::max(kHiddenSlipNoise_px, gel.noise_px());
-    const auto motion = sharedMotion(std::span(places).first(loaded), noise_m);
+    const auto motion = sharedMotion(loaded, noise_m);
     if (!motion)
         return std::nullopt;
     if (!motion->movesAsOne || followed.radius_m == 0.0)
         return motion->slipShare;
-    // Fewer are too coarse for a ring: counted, they told by 0.3 to 0.5 too little.
-    if (loaded < kLeastRingPlaces)
+    // Fewer are too coarse for a ring: they would tell by 0.2 and more too little.
+    if (loaded.size() < kLeastRingPlaces)
         return std::nullopt;
     return slippingRing(places, followed.centre_m, followed.radius_m, noise_m).value_or(motion->slipShare);
 }

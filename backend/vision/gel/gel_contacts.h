@@ -69,6 +69,15 @@ private:
     void judgeSlip(const MarkerGel& gel, GelContactState& contact, Followed& followed) const;
     /// Sets `loaded`, `centre_m` and `radius_m`.
     void findLoaded(const MarkerGel& gel, const GelContactState& contact, Followed& followed) const;
+    /// What the markers did since the motion was last counted anew.
+    struct Moved {
+        std::vector<ContactPlace> places; ///< the loaded markers first
+        std::vector<Eigen::Vector2d> spread_m; ///< displacement of each when the count began
+        std::size_t loaded = 0;
+    };
+    [[nodiscard]] static Moved movedSince(const MarkerGel& gel, const Followed& followed);
+    /// By a quarter, and by more than noise, since then.
+    [[nodiscard]] bool loadChanged(const MarkerGel& gel, const Followed& followed) const;
     /// The share that slips, by the ring of slip or else by the markers that lag.
     [[nodiscard]] std::optional<double> slipOf(const MarkerGel& gel, const Followed& followed) const;
     /// How far the markers of a contact that have a neighbour outside of it moved since the last picture.

@@ -20,7 +20,7 @@ namespace teleta::vision {
 /// noise_m: standard deviation of a place along an axis, > 0.
 /// 0..1; nothing: no ring explains how they went.
 /// Thread: any (pure).
-inline constexpr std::size_t kLeastRingPlaces = 15;
+inline constexpr std::size_t kLeastRingPlaces = 12;
 /// In radii: places that lie further away are left out, since how they move depends on the skin's thickness.
 inline constexpr double kRingReach = 1.2;
 [[nodiscard]] std::optional<double> slippingRing(std::span<const ContactPlace> places,
