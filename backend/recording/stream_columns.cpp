@@ -76,10 +76,9 @@ std::vector<Column> featureColumns(const std::string& loadUnit, bool vectors) {
                                 {"lambda1_m2", "m2"}, {"lambda2_m2", "m2"},   {"active", ""}};
     if (!vectors)
         return columns;
-    const bool isForce = loadUnit == "N"; // "_nm" is the newton metre, and "_n_m" would be none
     columns.push_back({"shear_x" + load, unit});
     columns.push_back({"shear_y" + load, unit});
-    columns.push_back({"moment_z" + load + (isForce ? "m" : "_m"), isForce ? "Nm" : unit + " m"});
+    columns.push_back({"moment_z_" + core::momentColumnUnit(loadUnit), loadUnit == "N" ? "Nm" : unit + " m"});
     columns.push_back({"friction_ratio", ""});
     return columns;
 }

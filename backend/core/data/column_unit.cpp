@@ -29,4 +29,8 @@ std::string columnUnit(std::string_view unit) {
     return name;
 }
 
+std::string momentColumnUnit(std::string_view loadUnit) {
+    return columnUnit(loadUnit) + (loadUnit == "N" ? "m" : "_m"); // "n_m" would be no unit
+}
+
 } // namespace teleta::core

@@ -11,4 +11,8 @@ namespace teleta::core {
 /// any (pure).
 [[nodiscard]] std::string columnUnit(std::string_view unit);
 
+/// The same for the moment of loads in this unit: "N" nm, otherwise the unit times metres, "\u00b5T" ut_m.
+/// Thread: any (pure).
+[[nodiscard]] std::string momentColumnUnit(std::string_view loadUnit);
+
 } // namespace teleta::core

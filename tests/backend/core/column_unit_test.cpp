@@ -14,3 +14,9 @@ TEST(ColumnUnit, isWrittenInLettersAndDigits) {
     EXPECT_EQ(columnUnit("\u00b0C"), "c");
     EXPECT_EQ(columnUnit(""), "counts");
 }
+
+TEST(ColumnUnit, ofAMomentIsThatOfTheLoadTimesMetres) {
+    EXPECT_EQ(momentColumnUnit("N"), "nm");
+    EXPECT_EQ(momentColumnUnit("counts"), "counts_m");
+    EXPECT_EQ(momentColumnUnit("\u00b5T"), "ut_m");
+}
