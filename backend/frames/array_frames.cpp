@@ -169,13 +169,13 @@ struct Way {
     std::array<std::uint64_t, 3> steps{0, 0, 0};
 };
 
-Way wayOf(const ArrayHead& head, FrameAxis axis, std::uint64_t taxels, int columns) {
+/// columns: of a frame of an array of three dimensions.
+Way wayOf(const ArrayHead& head, FrameAxis axis, std::uint64_t taxels, std::uint64_t columns) {
     const std::size_t dimensions = head.shape.size();
     std::array<std::uint64_t, 3> steps{};
     if (dimensions == 3)
-        steps = axis == FrameAxis::first
-                    ? std::array<std::uint64_t, 3>{taxels, static_cast<std::uint64_t>(columns), 1}
-                    : std::array<std::uint64_t, 3>{static_cast<std::uint64_t>(columns), 1, taxels};
+        steps = axis == FrameAxis::first ? std::array<std::uint64_t, 3>{taxels, columns, 1}
+                                         : std::array<std::uint64_t, 3>{columns, 1, taxels};
     else
         steps = axis == FrameAxis::first ? std::array<std::uint64_t, 3>{taxels, 1, 0}
                                          : std::array<std::uint64_t, 3>{1, taxels, 0};
@@ -222,6 +222,29 @@ core::Expected<std::vector<float>> readValues(ArrayFile& file, std::size_t array
     return values;
 }
 
+/// One row of all numbers of a frame of a known array. first: the dimension behind which a frame has two.
+core::Expected<core::ArrayLayout> knownSides(const ArrayFile& file, const ArrayHead& head, std::size_t first,
+                                             const KnownArray& known) {
+    const std::uint64_t a = head.shape[first];
+    const std::uint64_t b = head.shape[first + 1];
+    const core::ArrayLayout& grid = known.layout.grid();
+    const bool isGrid = !known.layout.isVector() && known.layout.isGrid() &&
+                        a == static_cast<std::uint64_t>(grid.rows) &&
+                        b == static_cast<std::uint64_t>(grid.columns);
+    const bool isVectors = known.layout.isVector() && b == core::TaxelLayout::kVector &&
+                           (a * b == known.numbers || a == known.layout.taxels());
+    if (!isGrid && !isVectors)
+        return wrong(
+            file.path(),
+            ArrayFramesText::tr("a frame of %1 has the shape %2 x %3").arg(quoted(head.name)).arg(a).arg(b),
+            known.layout.isVector()
+                ? ArrayFramesText::tr("%1 taxels x 3, as the layout has them").arg(known.numbers / 3)
+                : ArrayFramesText::tr("%1 rows x %2 columns, as the layout has them")
+                      .arg(grid.rows)
+                      .arg(grid.columns));
+    return core::ArrayLayout{1, static_cast<int>(a * b)};
+}
+
 /// Rows and columns of the frames of an array.
 core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead& head, FrameAxis axis,
                                           const FrameRequest& request) {
@@ -233,6 +256,8 @@ core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead
         return layout;
     }
     const std::size_t first = axis == FrameAxis::first ? 1 : 0;
+    if (request.known)
+        return knownSides(file, head, first, *request.known);
     constexpr std::uint64_t kMost = core::ArrayLayout::kMaximumSide;
     for (const std::uint64_t side : {head.shape[first], head.shape[first + 1]})
         if (side < 1 || side > kMost)
@@ -242,6 +267,14 @@ core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead
                              .arg(head.shape[first])
                              .arg(head.shape[first + 1]),
                          ArrayFramesText::tr("from 1 to %1 rows and columns").arg(kMost));
+    if (head.shape[first + 1] == core::TaxelLayout::kVector && !request.rows && !request.columns)
+        return wrong(file.path(),
+                     ArrayFramesText::tr("%1 can be a grid of 3 columns, or %2 taxels with x, y and z each")
+                         .arg(listOf({head}))
+                         .arg(head.shape[first]),
+                     ArrayFramesText::tr("--rows %1 --columns 3 for the grid; of vectors, the file that says "
+                                         "where the taxels are (--layout FILE.toml)")
+                         .arg(head.shape[first]));
     core::ArrayLayout layout;
     layout.rows = static_cast<int>(head.shape[first]);
     layout.columns = static_cast<int>(head.shape[first + 1]);
@@ -260,6 +293,13 @@ core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead
 
 core::Expected<core::ArrayLayout> layoutOf(const FrameRequest& request, std::uint64_t taxels,
                                            const QString& what) {
+    if (request.known) {
+        const std::size_t placed = request.known->layout.values();
+        if (taxels != request.known->numbers && taxels != placed)
+            return wrong({}, ArrayFramesText::tr("%1 has %2 numbers").arg(what).arg(taxels),
+                         ArrayFramesText::tr("%1, as the layout has them").arg(request.known->numbers));
+        return core::ArrayLayout{1, static_cast<int>(taxels)};
+    }
     core::ArrayLayout layout;
     const auto has = [&] { return ArrayFramesText::tr("%1 has %2 taxels").arg(what).arg(taxels); };
     if (!request.rows && !request.columns && request.guessesShape) {
@@ -337,7 +377,21 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     TELETA_TRY(const FrameAxis axis, axisOf(file, head, request, times_s));
 
     FrameSeries series;
+    const bool hasPlaces = namedBeside(file, array, "positions_m").has_value();
+    if (hasPlaces && !request.known && !request.rows && !request.columns)
+        return wrong(file.path(), ArrayFramesText::tr("the taxels have places of their own, in positions_m"),
+                     ArrayFramesText::tr("the file that says where the taxels are (--layout FILE.toml)"));
     TELETA_TRY(series.layout, sidesOf(file, head, axis, request));
+    if (request.known) {
+        const core::TaxelLayout& known = request.known->layout;
+        series.isPlaced = hasPlaces || (head.shape.size() == 3 && !known.isVector());
+        const std::size_t wanted = series.isPlaced ? known.values() : request.known->numbers;
+        if (series.layout.taxels() != wanted)
+            return wrong(
+                file.path(),
+                ArrayFramesText::tr("a frame of the array has %1 numbers").arg(series.layout.taxels()),
+                ArrayFramesText::tr("%1, as the layout has them").arg(wanted));
+    }
     const std::uint64_t frames = axis == FrameAxis::first ? head.shape.front() : head.shape.back();
     if (frames == 0)
         return wrong(file.path(), ArrayFramesText::tr("the recording has no frames"),
@@ -371,8 +425,8 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     series.hasPitch = pitch_m.has_value();
     series.layout.setPitch_m(pitch_m.value_or(series.layout.pitchX_m));
     TELETA_TRY(std::vector<float> values, readValues(file, array, *count, goOn));
-    series.values =
-        turned(std::move(values), wayOf(head, axis, series.layout.taxels(), series.layout.columns));
+    const std::uint64_t columns = head.shape[axis == FrameAxis::first ? head.shape.size() - 1 : 1];
+    series.values = turned(std::move(values), wayOf(head, axis, series.layout.taxels(), columns));
     return series;
 }
 

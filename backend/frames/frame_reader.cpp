@@ -44,7 +44,13 @@ core::Expected<FrameSeries> framesOf(core::Expected<std::unique_ptr<ArrayFile>> 
 core::Expected<FrameSeries> load(FileKind kind, const FrameRequest& request, const GoOn& goOn) {
     switch (kind) {
     case FileKind::text:
-        return isTekscan(request.path) ? readTekscan(request, goOn) : readTable(request, goOn);
+        if (!isTekscan(request.path))
+            return readTable(request, goOn);
+        if (request.known)
+            return core::failed(core::ErrorKind::badInput,
+                                FrameReaderText::tr("the file says itself where its taxels are"),
+                                FrameReaderText::tr("no layout"), {request.path});
+        return readTekscan(request, goOn);
     case FileKind::npy:
         return framesOf(openNpy(request.path), request, goOn);
     case FileKind::zip:
@@ -96,6 +102,31 @@ core::Unexpected withOptions(core::Error error, const std::string& path, bool is
     return core::Unexpected(std::move(error));
 }
 
+core::ArrayLayout rowOf(std::size_t values) {
+    return {1, static_cast<int>(values)};
+}
+
+/// Puts the numbers of each frame into the order of the known array.
+core::Expected<void> place(FrameSeries& series, const FrameRequest& request) {
+    const KnownArray& known = *request.known;
+    const std::size_t values = known.layout.values();
+    if (!series.isPlaced) {
+        if (values * series.frames() > kMostValues)
+            return core::failed(core::ErrorKind::badInput, FrameReaderText::tr("the recording is too long"),
+                                FrameReaderText::tr("at most %1 values").arg(kMostValues), {request.path});
+        std::vector<float> placed(values * series.frames());
+        for (std::size_t i = 0; i < series.frames(); ++i)
+            known.place(series.frame(i), std::span(placed).subspan(i * values, values));
+        series.values = std::move(placed);
+    }
+    series.layout = rowOf(values);
+    series.isPlaced = true;
+    series.hasPitch = true;
+    if (series.unit.empty())
+        series.unit = known.unit;
+    return {};
+}
+
 /// "run.h5:/group/dataset" names the array of a file, unless there is a file of that name.
 FrameRequest withArrayOf(FrameRequest request) {
     const std::size_t colon = request.path.rfind(":/");
@@ -123,11 +154,28 @@ core::Expected<FrameReader> FrameReader::open(const FrameRequest& given, const G
     }
     if (isLoaded) {
         TELETA_TRY(FrameSeries series, loadWithinMemory(kind, request, goOn));
+        if (request.known)
+            TELETA_CHECK(place(series, request));
         FrameReader reader{Loaded{std::move(series)}};
         const FrameSeries& read = std::get<Loaded>(reader.m_source).series;
         reader.m_layout = read.layout;
+        reader.m_taxels = request.known ? request.known->layout : core::TaxelLayout(read.layout);
         reader.m_hasPitch = read.hasPitch;
         reader.m_unit = read.unit;
+        reader.m_unused = read.unused;
+        return reader;
+    }
+    if (request.known) {
+        const core::TaxelLayout& known = request.known->layout;
+        core::Expected<core::FrameFile> file =
+            core::FrameFile::open(request.path, rowOf(known.values()), known.components());
+        if (!file)
+            return withOptions(file.error(), request.path, fromPipe);
+        FrameReader reader{*std::move(file)};
+        reader.m_layout = rowOf(known.values());
+        reader.m_taxels = known;
+        reader.m_hasPitch = true;
+        reader.m_unit = request.known->unit;
         return reader;
     }
     core::ArrayLayout layout;
@@ -145,6 +193,7 @@ core::Expected<FrameReader> FrameReader::open(const FrameRequest& given, const G
         return withOptions(file.error(), request.path, fromPipe);
     FrameReader reader{*std::move(file)};
     reader.m_layout = layout;
+    reader.m_taxels = layout;
     reader.m_hasPitch = request.pitch_m.has_value();
     return reader;
 }
@@ -165,7 +214,7 @@ std::uint64_t FrameReader::bytesRead() const {
     if (const auto* file = std::get_if<core::FrameFile>(&m_source))
         return file->offset();
     const auto& loaded = std::get<Loaded>(m_source);
-    return loaded.next * m_layout.taxels() * sizeof(float);
+    return loaded.next * m_taxels.values() * sizeof(float);
 }
 
 std::uint64_t FrameReader::bytesTotal() const {
@@ -182,7 +231,8 @@ core::Expected<FrameSeries> readFrames(const FrameRequest& request, const GoOn& 
     series.layout = reader.layout();
     series.hasPitch = reader.hasPitch();
     series.unit = reader.unit();
-    std::vector<float> frame(series.layout.taxels());
+    series.isPlaced = request.known.has_value();
+    std::vector<float> frame(reader.taxels().values());
     for (double time_s = 0.0;;) {
         TELETA_TRY(const bool any, reader.next(time_s, frame));
         if (!any)

@@ -3,6 +3,7 @@
 
 #include "backend/core/data/array_layout.h"
 #include "backend/core/data/frame_file.h"
+#include "backend/core/data/taxel_layout.h"
 #include "backend/core/error.h"
 #include "backend/frames/frame_request.h"
 #include "backend/frames/frame_series.h"
@@ -25,15 +26,20 @@ public:
     /// cancelled by goOn.
     [[nodiscard]] static core::Expected<FrameReader> open(const FrameRequest& request, const GoOn& goOn = {});
 
-    /// The next frame into values, layout().taxels() entries; a time in s. False after the last frame; a file
+    /// The next frame into values, taxels().values() entries; a time in s. False after the last frame; a file
     /// without frames is an error.
     [[nodiscard]] core::Expected<bool> next(double& time_s, std::span<float> values);
 
+    /// Of a known array: one row of all its values.
     [[nodiscard]] const core::ArrayLayout& layout() const { return m_layout; }
+    /// What a frame looks like.
+    [[nodiscard]] const core::TaxelLayout& taxels() const { return m_taxels; }
     /// Whether the file or the request tells the pitches of layout().
     [[nodiscard]] bool hasPitch() const { return m_hasPitch; }
     /// Of the values, as the file tells it; empty: it does not.
     [[nodiscard]] const std::string& unit() const { return m_unit; }
+    /// What the file says besides and nothing here heeds, by the names that it has there.
+    [[nodiscard]] const std::vector<std::string>& unused() const { return m_unused; }
     /// How far reading has come, and what there is; in bytes.
     [[nodiscard]] std::uint64_t bytesRead() const;
     [[nodiscard]] std::uint64_t bytesTotal() const;
@@ -51,8 +57,10 @@ private:
         : m_source(std::move(source)) {}
 
     core::ArrayLayout m_layout{};
+    core::TaxelLayout m_taxels{};
     bool m_hasPitch = false;
     std::string m_unit{};
+    std::vector<std::string> m_unused{};
     Source m_source;
 };
 

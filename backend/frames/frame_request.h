@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/taxel_layout.h"
+
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +26,15 @@ struct ColumnRange {
     std::size_t last = 1;
 };
 
+/// An array whose places and components a file of its own describes.
+struct KnownArray {
+    core::TaxelLayout layout{};
+    std::size_t numbers = 0; ///< of a frame, as the sensor tells it
+    /// From these numbers to a frame of the layout, layout.values() entries.
+    std::function<void(std::span<const float> numbers, std::span<float> frame)> place{};
+    std::string unit{}; ///< of the values, where the frames do not tell it
+};
+
 /// What is known of a file of frames. What is left out follows from the file.
 struct FrameRequest {
     std::string path{};        ///< of the file
@@ -30,6 +43,9 @@ struct FrameRequest {
     /// Where neither the file nor rows and columns say the shape: the likely array of so many taxels;
     /// otherwise 6 x 14.
     bool guessesShape = false;
+    /// Instead of rows, columns and pitch. Frames in the order of the layout stay as they are: those of our
+    /// own tables, of arrays with positions_m beside, and of rows x columns of a grid of loads.
+    std::optional<KnownArray> known{};
     std::optional<double> pitch_m{}; ///< instead of the file's
     std::optional<double> rate_Hz{}; ///< frames per second, of files without times
     bool needsTimes = true;          ///< false: frames without times are a second apart

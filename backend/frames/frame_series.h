@@ -18,11 +18,13 @@ namespace teleta::frames {
 
 /// All frames of a file. NaN: a dead taxel, or a place outside of the sensor.
 struct FrameSeries {
-    core::ArrayLayout layout{};
-    bool hasPitch = false;        ///< the file or the request says the pitches of the layout
-    std::string unit{};           ///< of the values, as the file says; empty: not told
-    std::vector<double> time_s{}; ///< finite, never decreasing
-    std::vector<float> values{};  ///< time_s.size() x layout.taxels(), row-major
+    core::ArrayLayout layout{};        ///< of a known array: one row of all its values
+    bool isPlaced = false;             ///< the values are in the order of the known array
+    bool hasPitch = false;             ///< the file or the request says the pitches of the layout
+    std::string unit{};                ///< of the values, as the file says; empty: not told
+    std::vector<std::string> unused{}; ///< what the file says besides and nothing here heeds, by its names
+    std::vector<double> time_s{};      ///< finite, never decreasing
+    std::vector<float> values{};       ///< time_s.size() x layout.taxels(), row-major
 
     [[nodiscard]] std::size_t frames() const { return time_s.size(); }
     [[nodiscard]] std::span<const float> frame(std::size_t i) const {

@@ -208,6 +208,7 @@ public:
             return core::Unexpected(layout.error());
         }
         series.layout = *layout;
+        series.isPlaced = m_request.known && m_taxels.size() != m_request.known->numbers;
         series.hasPitch = m_request.pitch_m.has_value();
         series.layout.setPitch_m(m_request.pitch_m.value_or(series.layout.pitchX_m));
         TELETA_CHECK(setUnit());

@@ -25,6 +25,8 @@ struct TekscanText {
 
 constexpr std::string_view kData = "ASCII_DATA";
 constexpr int kMostHeadLines = 400;
+/// Of a calibration that the recording program has applied already, or that nothing here knows.
+constexpr std::array kUnusedKeys{"NOISE_THRESHOLD", "SCALE_FACTOR", "SATURATION_PRESSURE", "SENSITIVITY"};
 
 struct PressureUnit {
     std::string_view name; ///< in lower case
@@ -67,6 +69,11 @@ public:
         TELETA_CHECK(setLayout());
         TELETA_TRY(m_factor, unitFactor());
         TELETA_TRY(m_frame_s, frameTime());
+        TELETA_TRY(m_mirrorsRows, mirrors("MIRROR_ROW"));
+        TELETA_TRY(m_mirrorsColumns, mirrors("MIRROR_COL"));
+        for (const char* name : kUnusedKeys)
+            if (m_keys.contains(name))
+                m_series.unused.emplace_back(name);
         for (;;) {
             TELETA_TRY(const auto line, m_lines.next());
             if (!line)
@@ -218,6 +225,29 @@ private:
         return value->number;
     }
 
+    /// Whether the head says that an order is turned round.
+    core::Expected<bool> mirrors(const char* name) const {
+        const auto found = m_keys.find(name);
+        if (found == m_keys.end() || found->second.text.empty())
+            return false;
+        const double number = found->second.number;
+        if (number != 0.0 && number != 1.0)
+            return wrongKey(name, TekscanText::tr("0 or 1"));
+        return number == 1.0;
+    }
+
+    /// Turns the newest frame as the head says.
+    void mirror() {
+        const auto columns = static_cast<std::ptrdiff_t>(m_series.layout.columns);
+        const auto begin = m_series.values.end() - static_cast<std::ptrdiff_t>(m_series.layout.taxels());
+        // Both together are the whole frame from behind.
+        if (m_mirrorsRows)
+            std::reverse(begin, m_series.values.end());
+        if (m_mirrorsRows != m_mirrorsColumns)
+            for (auto row = begin; row != m_series.values.end(); row += columns)
+                std::reverse(row, row + columns);
+    }
+
     core::Expected<void> beginFrame(std::string_view line) {
         constexpr std::string_view kFrame = "Frame ";
         long long number = 0;
@@ -274,6 +304,7 @@ private:
                 m_series.values.push_back(static_cast<float>(*value * m_factor));
             }
         }
+        mirror();
         return {};
     }
 
@@ -285,6 +316,8 @@ private:
     double m_area_m2 = 0.0;
     double m_factor = 1.0;
     double m_frame_s = 1.0;
+    bool m_mirrorsRows = false;
+    bool m_mirrorsColumns = false;
     long long m_first = 0;
     long long m_frame = 0;
 };

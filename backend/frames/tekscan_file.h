@@ -16,7 +16,9 @@ namespace teleta::frames {
 /// a line "Frame N" and ROWS lines of COLS numbers. B, a place outside of the sensor, becomes NaN. A pressure
 /// times the area of a place is a force in N; RAW are counts. The time of frame N is N - START_FRAME times
 /// SECONDS_PER_FRAME, or by the rate of the request; frames that are missing leave a gap. The area is
-/// SENSEL_AREA, else ROW_SPACING times COL_SPACING. Error: badInput with line and column, also for a last
+/// SENSEL_AREA, else ROW_SPACING times COL_SPACING. MIRROR_ROW and MIRROR_COL, if not 0, turn the order of
+/// the rows and of the columns round. NOISE_THRESHOLD, SCALE_FACTOR, SATURATION_PRESSURE and SENSITIVITY
+/// change nothing and are named in FrameSeries::unused. Error: badInput with line and column, also for a last
 /// frame that is cut off, or for unequal distances of rows and columns when the request has no pitch.
 [[nodiscard]] core::Expected<FrameSeries> readTekscan(const FrameRequest& request, const GoOn& goOn);
 

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -19,25 +20,36 @@ struct FrameFileText {
     Q_DECLARE_TR_FUNCTIONS(FrameFileText)
 };
 
-/// True when the name is that of the taxel column of this index: "t0", "t1", ...
-bool isTaxelName(const std::string& name, std::size_t index) {
-    return name == 't' + std::to_string(index);
+constexpr int kVector = 3;
+
+/// The name of the taxel column of this index: "t0", "t1", ..., of vectors "t0_x", "t0_y", "t0_z", "t1_x".
+std::string taxelName(std::size_t index, int components) {
+    if (components != kVector)
+        return 't' + std::to_string(index);
+    static constexpr std::array<const char*, kVector> kAxes{"_x", "_y", "_z"};
+    return 't' + std::to_string(index / kVector) + kAxes[index % kVector];
 }
 
 /// Number of taxel columns when the header is time_s,t0,t1,... with or without a last utc_s, which is not
 /// read.
-Expected<std::size_t> checkHeader(const CsvReader& csv) {
+Expected<std::size_t> checkHeader(const CsvReader& csv, int components = 1) {
     const std::vector<std::string>& header = csv.header();
     TELETA_CHECK(csv.column("time_s"));
     const std::size_t read = header.size() - (header.size() > 1 && header.back() == "utc_s" ? 1 : 0);
     for (std::size_t i = 0; i < read; ++i) {
-        if (i == 0 ? header[i] == "time_s" : isTaxelName(header[i], i - 1))
+        const std::string expected = i == 0 ? "time_s" : taxelName(i - 1, components);
+        if (header[i] == expected)
             continue;
+        if (i == 1 && components != kVector && header[i] == taxelName(0, kVector))
+            return failed(ErrorKind::badInput, FrameFileText::tr("the frames are of vectors, t0_x,t0_y,t0_z"),
+                          FrameFileText::tr("one number a taxel; or the file that says where the taxels are "
+                                            "(--layout FILE.toml)"),
+                          csv.place(i));
         return failed(ErrorKind::badInput,
                       FrameFileText::tr("column %1 is \"%2\"")
                           .arg(i + 1)
                           .arg(QString::fromStdString(header[i]).left(40)),
-                      i == 0 ? QStringLiteral("time_s") : QStringLiteral("t%1").arg(i - 1), csv.place(i));
+                      QString::fromStdString(expected), csv.place(i));
     }
     if (read == 1)
         return failed(ErrorKind::badInput, FrameFileText::tr("there are no taxel columns"),
@@ -58,9 +70,9 @@ FrameFile::FrameFile(CsvReader csv, const ArrayLayout& layout)
     , m_layout(layout) {
 }
 
-Expected<FrameFile> FrameFile::open(const std::string& path, const ArrayLayout& layout) {
+Expected<FrameFile> FrameFile::open(const std::string& path, const ArrayLayout& layout, int components) {
     TELETA_TRY(CsvReader csv, CsvReader::open(path));
-    const Expected<std::size_t> taxels = checkHeader(csv);
+    const Expected<std::size_t> taxels = checkHeader(csv, components);
     TELETA_CHECK(taxels);
     if (*taxels != layout.taxels())
         return failed(ErrorKind::badInput, FrameFileText::tr("the file has %1 taxel columns").arg(*taxels),

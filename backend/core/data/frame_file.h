@@ -13,14 +13,15 @@
 
 namespace teleta::core {
 
-/// Reads recorded tactile frames: CSV with columns time_s,t0,t1,...,t(N-1), row-major, one row a frame.
-/// Time must not decrease. Taxel values may be nan, inf or NA (a dead taxel); time may not.
-/// Thread: one.
+/// Reads recorded tactile frames: CSV with columns time_s,t0,t1,...,t(N-1), row-major, one row a frame; of
+/// frames of vectors time_s,t0_x,t0_y,t0_z,t1_x,... Time must not decrease. Taxel values may be nan, inf or
+/// NA (a dead taxel); time may not. Thread: one.
 class FrameFile {
 public:
     /// Opens the file; layout.taxels() must be the number of taxel columns, else an error that says both
-    /// numbers.
-    [[nodiscard]] static Expected<FrameFile> open(const std::string& path, const ArrayLayout& layout);
+    /// numbers. components: 1, or 3 where three columns are a taxel.
+    [[nodiscard]] static Expected<FrameFile> open(const std::string& path, const ArrayLayout& layout,
+                                                  int components = 1);
 
     /// Number of taxel columns of a file, to guess a layout before it is opened.
     [[nodiscard]] static Expected<std::size_t> countTaxels(const std::string& path);

@@ -27,7 +27,15 @@ protected:
                                                             FrameRequest request = {}) {
         request.path = kept(name);
         request.guessesShape = true;
+        asGrid(request);
         return teleta::frames::readFrames(request);
+    }
+    /// 2 x 3 taxels, which could be 2 with three values each.
+    static void asGrid(FrameRequest& request) {
+        if (request.axis == FrameAxis::last || request.rows)
+            return;
+        request.rows = 2;
+        request.columns = 3;
     }
     static std::string whyNot(const std::string& name, FrameRequest request = {}) {
         const auto series = open(name, std::move(request));
@@ -45,6 +53,7 @@ protected:
     void survives(const std::string& name, FrameRequest request, std::size_t step) {
         const std::string whole = readAll(kept(name));
         request.guessesShape = true;
+        asGrid(request);
         for (std::size_t size = 1; size < whole.size(); size += step)
             if (const auto series = read(whole.substr(0, size), request)) {
                 expectValues(*series);

@@ -3,6 +3,7 @@
 #include "backend/frames/npz_writer.h"
 #include "tests/backend/frames/frame_reading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -81,6 +82,7 @@ TEST_F(NumpyFileTest, turnsFortranOrder) {
 TEST_F(NumpyFileTest, takesTheFramesFromTheLastDimensionWhenAsked) {
     FrameRequest request = atOneHertz();
     request.axis = FrameAxis::last;
+    request.rows = 1; // three columns could be a vector
     const auto series =
         read(npy(head("|u1", "1, 3, 2"), std::string("\x00\x01\x02\x03\x04\x05", 6)), request);
     ASSERT_TRUE(series);
@@ -97,6 +99,32 @@ TEST_F(NumpyFileTest, twoDimensionsNeedRowsAndColumns) {
     const auto series = read(content, request);
     ASSERT_TRUE(series);
     EXPECT_EQ(series->layout.columns, 3);
+}
+
+TEST_F(NumpyFileTest, threeValuesBesideEachOtherMayBeAVector) {
+    const std::string content = npy(head("|u1", "1, 2, 3"), std::string("\x01\x02\x03\x04\x05\x06"));
+    const std::string why = refusal(content, atOneHertz());
+    EXPECT_NE(why.find("2 taxels with x, y and z"), std::string::npos) << why;
+    EXPECT_NE(why.find("--rows 2 --columns 3"), std::string::npos) << why;
+    EXPECT_NE(why.find("--layout"), std::string::npos) << why;
+    FrameRequest request = atOneHertz();
+    request.rows = 2;
+    const auto grid = read(content, request);
+    ASSERT_TRUE(grid) << describe(grid.error());
+    EXPECT_EQ(grid->layout.columns, 3);
+
+    FrameRequest vectors = atOneHertz();
+    vectors.known = {.layout = teleta::core::TaxelLayout({1, 2}, 3), .numbers = 6, .place{}, .unit = "N"};
+    vectors.known->place = [](std::span<const float> numbers, std::span<float> frame) {
+        std::ranges::reverse_copy(numbers, frame.begin());
+    };
+    const auto series = read(content, vectors);
+    ASSERT_TRUE(series) << describe(series.error());
+    EXPECT_EQ(series->values, (std::vector<float>{6, 5, 4, 3, 2, 1})) << "as the layout places them";
+    EXPECT_EQ(series->unit, "N");
+    vectors.known->numbers = 9;
+    vectors.known->layout = teleta::core::TaxelLayout({1, 3}, 3);
+    EXPECT_NE(refusal(content, vectors).find("3 taxels x 3"), std::string::npos);
 }
 
 TEST_F(NumpyFileTest, framesWithoutTimesNeedARate) {
@@ -147,7 +175,7 @@ TEST_F(NumpyFileTest, whatIsWrittenAsNpzReadsBack) {
     const std::string path = m_folder.path("out.npz");
     const std::vector<float> values{1, 2, 3, 4, 5, 6};
     const std::vector<double> time_s{0.25, 0.5};
-    const std::array arrays{NpzArray("frames", {2, 1, 3}, std::span(values)),
+    const std::array arrays{NpzArray("frames", {2, 3, 1}, std::span(values)),
                             NpzArray("time_s", {2}, std::span(time_s))};
     ASSERT_TRUE(writeNpz(path, arrays));
     FrameRequest request;
@@ -163,7 +191,7 @@ TEST_F(NumpyFileTest, whatIsWrittenAsNpzReadsBack) {
 TEST_F(NumpyFileTest, everyCutOfAnNpzIsRefused) {
     const std::string path = m_folder.path("out.npz");
     const std::vector<float> values(60, 1.0F);
-    const std::array arrays{NpzArray("frames", {10, 2, 3}, std::span(values))};
+    const std::array arrays{NpzArray("frames", {10, 3, 2}, std::span(values))};
     ASSERT_TRUE(writeNpz(path, arrays));
     const std::string whole = teleta::core::readFile(path).value();
     ASSERT_EQ(refusal(whole, atOneHertz()), "");

@@ -70,6 +70,30 @@ TEST_F(TekscanFileTest, rowsAndColumnsMayBeApartDifferently) {
     EXPECT_NEAR(series->layout.pitchY_m, 0.0025, 1e-12);
 }
 
+TEST_F(TekscanFileTest, rowsAndColumnsAreMirroredAsTheHeadSays) {
+    const auto values = [this](const std::string& mirrors) {
+        const auto series =
+            read(replaced(kHead, "kPa", "RAW") + mirrors + kData + "Frame 1\n1,2\n3,4\nFrame 2\n5,6\n7,8\n");
+        EXPECT_TRUE(series) << describe(series.error());
+        return series ? series->values : std::vector<float>();
+    };
+    using Values = std::vector<float>;
+    EXPECT_EQ(values("MIRROR_ROW 0\nMIRROR_COL 0\n"), (Values{1, 2, 3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(values("MIRROR_ROW 1\n"), (Values{3, 4, 1, 2, 7, 8, 5, 6}));
+    EXPECT_EQ(values("MIRROR_COL 1\n"), (Values{2, 1, 4, 3, 6, 5, 8, 7}));
+    EXPECT_EQ(values("MIRROR_ROW 1\nMIRROR_COL 1\n"), (Values{4, 3, 2, 1, 8, 7, 6, 5}));
+    EXPECT_NE(refusal(kHead + "MIRROR_ROW perhaps\n" + kData + kFirst).find("MIRROR_ROW"), std::string::npos);
+}
+
+TEST_F(TekscanFileTest, linesWithoutAnEffectAreNamed) {
+    const auto series =
+        read(kHead + "NOISE_THRESHOLD 3\nSCALE_FACTOR 2\nSENSITIVITY S-30\n" + kData + kFirst);
+    ASSERT_TRUE(series) << describe(series.error());
+    EXPECT_EQ(series->unused, (std::vector<std::string>{"NOISE_THRESHOLD", "SCALE_FACTOR", "SENSITIVITY"}));
+    EXPECT_FLOAT_EQ(series->values[1], 2e3F * 6.25e-6F);
+    EXPECT_TRUE(read(kHead + kData + kFirst)->unused.empty());
+}
+
 TEST_F(TekscanFileTest, headsThatDoNotFitAreRefused) {
     EXPECT_NE(refusal(replaced(kHead, "COLS 2", "COLS 2000") + kData + kFirst).find("COLS"),
               std::string::npos);
