@@ -54,7 +54,7 @@ public:
         : m_frames(frames)
         , m_options(options)
         , m_file(QString::fromStdString(file))
-        , m_row(frames.layout().taxels()) {}
+        , m_row(frames.taxels().values()) {}
 
     [[nodiscard]] core::Expected<FrameImport> into(const std::string& part) {
         // The first ones tell the rate of the stream.
@@ -74,7 +74,7 @@ public:
         writer.take({.time_ns = writer.newest_ns(), .kind = recording::kStopped, .text = {}});
         TELETA_CHECK(writer.commit());
         TELETA_CHECK(writer.finish());
-        return FrameImport{{}, stream.name, m_frames.layout(), writer.frames(), rate(writer.frames())};
+        return FrameImport{{}, stream.name, m_frames.taxels(), writer.frames(), rate(writer.frames())};
     }
 
 private:
@@ -126,7 +126,7 @@ private:
         core::SourceDescription array;
         array.name =
             m_options.name.empty() ? QFileInfo(m_file).completeBaseName().toStdString() : m_options.name;
-        array.layout = m_frames.layout();
+        array.layout = m_frames.taxels();
         array.unit = m_frames.unit();
         array.nominalRate_Hz = rate(m_block.frames());
         pipeline::ChannelSettings settings = m_options.settings;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/core/data/array_layout.h"
+#include "backend/core/data/taxel_layout.h"
 #include "backend/core/error.h"
 #include "backend/frames/frame_reader.h"
 #include "backend/pipeline/touch/touch_snapshot.h"
@@ -26,7 +26,7 @@ struct FrameImportOptions {
 struct FrameImport {
     std::string path;
     std::string stream;
-    core::ArrayLayout layout{};
+    core::TaxelLayout layout{};
     std::uint64_t frames = 0;
     double rate_Hz = 0.0; ///< mean; 0: a single frame
 };

@@ -5,14 +5,15 @@
 #include "backend/core/failure.h"
 #include "backend/frames/arrays/array_file.h"
 #include "backend/frames/npz_writer.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStringList>
 
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace teleta::frames {
 
@@ -31,7 +32,7 @@ core::Expected<std::size_t> chooseStream(const Recording& recording, const std::
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < recording.streams().size(); ++i) {
         const StreamInfo& stream = recording.streams()[i];
-        if (stream.kind != StreamKind::array || stream.shape.size() != 2 || recording::isVectorArray(stream))
+        if (stream.kind != StreamKind::array || stream.type != recording::ValueType::float32)
             continue;
         arrays << QString::fromStdString(stream.name);
         if (wanted.empty() || wanted == stream.name)
@@ -54,6 +55,19 @@ core::Expected<std::size_t> chooseStream(const Recording& recording, const std::
     return *found;
 }
 
+/// Where the taxels of a stream stand: taxels x 3. Empty: on a grid of loads.
+core::Expected<std::vector<double>> positionsOf(const StreamInfo& stream, const std::string& path) {
+    std::vector<double> positions_m;
+    if (stream.shape.size() == 2 && !recording::isVectorArray(stream))
+        return positions_m;
+    TELETA_TRY(const pipeline::RecordedArray array, pipeline::recordedArray(stream, path));
+    const core::TaxelLayout& layout = array.description.layout;
+    for (std::size_t i = 0; i < layout.taxels(); ++i)
+        positions_m.insert(positions_m.end(),
+                           {layout.x_m(i), layout.y_m(i), layout.isGrid() ? 0.0 : (*layout.places())[i].z_m});
+    return positions_m;
+}
+
 } // namespace
 
 core::Expected<NpzExport> exportNpz(const Recording& recording, const std::string& path,
@@ -63,6 +77,7 @@ core::Expected<NpzExport> exportNpz(const Recording& recording, const std::strin
                             NpzExportText::tr("another name"), {path});
     TELETA_TRY(const std::size_t number, chooseStream(recording, options.stream));
     const StreamInfo& stream = recording.streams()[number];
+    TELETA_TRY(const std::vector<double> positions_m, positionsOf(stream, recording.path()));
     const std::size_t taxels = stream.channels();
     double all = 0.0;
     if (const auto extent = recording.extent(number); extent && *extent)
@@ -97,9 +112,13 @@ core::Expected<NpzExport> exportNpz(const Recording& recording, const std::strin
             values.insert(values.end(), frameValues.begin(), frameValues.end());
         }
     }
-    written.shape = {time_s.size(), stream.shape[0], stream.shape[1]};
-    const std::array arrays{NpzArray("frames", written.shape, std::span<const float>(values)),
-                            NpzArray("time_s", {time_s.size()}, std::span<const double>(time_s))};
+    written.shape = {time_s.size()};
+    written.shape.insert(written.shape.end(), stream.shape.begin(), stream.shape.end());
+    std::vector arrays{NpzArray("frames", written.shape, std::span<const float>(values)),
+                       NpzArray("time_s", {time_s.size()}, std::span<const double>(time_s))};
+    if (!positions_m.empty())
+        arrays.emplace_back("positions_m", std::vector<std::uint64_t>{positions_m.size() / 3, 3},
+                            std::span<const double>(positions_m));
     TELETA_CHECK(writeNpz(path, arrays));
     return written;
 }

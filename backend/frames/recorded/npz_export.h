@@ -22,12 +22,15 @@ struct NpzExportOptions {
 struct NpzExport {
     std::string path;
     std::string stream;
-    std::vector<std::uint64_t> shape; ///< frames, rows, columns
-    std::uint64_t damagedBlocks = 0;  ///< that were left out
+    std::vector<std::uint64_t>
+        shape; ///< frames, rows, columns; or frames, taxels; of vectors frames, taxels, 3
+    std::uint64_t damagedBlocks = 0; ///< that were left out
 };
 
-/// Writes an array of a recording as npz: frames (frames x rows x columns, float32, raw values) and time_s
-/// (float64, since the start of the recording). Error: ioFailed; cancelled by goOn; refused when the file
+/// Writes an array of a recording as npz: frames (float32, raw values) and time_s (float64, since the start
+/// of the recording). A grid of loads is frames x rows x columns. Loads off a grid are frames x taxels,
+/// vectors frames x taxels x 3, in the order of the layout; positions_m (taxels x 3, float64) tells where the
+/// taxels stand then. Error: ioFailed; cancelled by goOn; refused when the file
 /// exists, when the recording has no array, or several and none is named; no file is left then. Thread: the
 /// recording's.
 [[nodiscard]] core::Expected<NpzExport> exportNpz(const recording::Recording& recording,
