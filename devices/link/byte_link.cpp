@@ -130,7 +130,7 @@ core::Expected<ByteLink> ByteLink::open(const Address& address, std::int64_t dea
     if (const auto* file = std::get_if<FileAddress>(&address))
         return openFile(*file);
     if (const auto* web = std::get_if<WebAddress>(&address))
-        return WebSocket::open(web->url, deadline_ns, wake).map([](WebSocket socket) {
+        return WebSocket::open(*web, deadline_ns, wake).map([](WebSocket socket) {
             return ByteLink(std::move(socket));
         });
     return openTcp(std::get<TcpAddress>(address), deadline_ns, wake);

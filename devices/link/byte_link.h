@@ -45,6 +45,9 @@ public:
     /// Writes a text, for a second at most; what becomes of it shows in what the sensor sends.
     void tell(const std::string& text, const WakePipe* wake);
 
+    /// Messages that were left out, of a WebAddress that takes texts only.
+    [[nodiscard]] std::uint64_t leftOut() const { return m_web ? m_web->leftOut() : 0; }
+
     /// Translated; after Outcome::gone.
     [[nodiscard]] const std::string& goneReason() const { return m_goneReason; }
     /// After Outcome::gone: a regular file was read to its end.

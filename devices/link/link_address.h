@@ -42,7 +42,8 @@ struct FileAddress {
 
 /// A WebSocket server.
 struct WebAddress {
-    std::string url; ///< ws://HOST:PORT/PATH or wss://
+    std::string url;        ///< ws://HOST:PORT/PATH or wss://
+    bool textsOnly = false; ///< messages of bytes are left out and counted
 
     bool operator==(const WebAddress&) const = default;
 };

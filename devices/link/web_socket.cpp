@@ -37,9 +37,10 @@ struct WebSocket::Data {
     bool isOpen = false;
     bool isGone = false;
     std::int64_t nextPing_ns = 0;
+    std::uint64_t leftOut = 0;
     std::string reason;
 
-    Data() {
+    explicit Data(bool textsOnly) {
         socket.setMaxAllowedIncomingMessageSize(kLongestMessage);
         QObject::connect(&socket, &QWebSocket::connected, &socket, [this] {
             isOpen = true;
@@ -53,7 +54,12 @@ struct WebSocket::Data {
         QObject::connect(&socket, &QWebSocket::textMessageReceived, &socket,
                          [this](const QString& text) { take(text.toUtf8()); });
         QObject::connect(&socket, &QWebSocket::binaryMessageReceived, &socket,
-                         [this](const QByteArray& bytes) { take(bytes); });
+                         [this, textsOnly](const QByteArray& bytes) {
+                             if (textsOnly)
+                                 ++leftOut;
+                             else
+                                 take(bytes);
+                         });
     }
 
     ~Data() {
@@ -120,10 +126,10 @@ WebSocket::WebSocket(WebSocket&& other) noexcept = default;
 WebSocket& WebSocket::operator=(WebSocket&& other) noexcept = default;
 WebSocket::~WebSocket() = default;
 
-core::Expected<WebSocket> WebSocket::open(const std::string& url, std::int64_t deadline_ns,
+core::Expected<WebSocket> WebSocket::open(const WebAddress& address, std::int64_t deadline_ns,
                                           const WakePipe* wake) {
-    const QString name = QString::fromStdString(url);
-    auto data = std::make_unique<Data>();
+    const QString name = QString::fromStdString(address.url);
+    auto data = std::make_unique<Data>(address.textsOnly);
     data->socket.open(QUrl(name));
     Outcome outcome = Outcome::done;
     while (!data->isOpen && outcome == Outcome::done)
@@ -164,6 +170,10 @@ void WebSocket::tell(const std::string& text) {
     if (!text.empty())
         m_data->socket.sendTextMessage(QString::fromStdString(text));
     m_data->socket.flush();
+}
+
+std::uint64_t WebSocket::leftOut() const {
+    return m_data->leftOut;
 }
 
 const std::string& WebSocket::goneReason() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/error.h"
+#include "devices/link/link_address.h"
 #include "devices/link/link_outcome.h"
 #include "devices/link/wake_pipe.h"
 
@@ -21,7 +22,7 @@ public:
     static constexpr std::size_t kLongestMessage = std::size_t{1} << 20U;
 
     /// Error: unavailable, nobody answers as such a server; cancelled.
-    [[nodiscard]] static core::Expected<WebSocket> open(const std::string& url, std::int64_t deadline_ns,
+    [[nodiscard]] static core::Expected<WebSocket> open(const WebAddress& address, std::int64_t deadline_ns,
                                                         const WakePipe* wake);
     WebSocket(WebSocket&& other) noexcept;
     WebSocket& operator=(WebSocket&& other) noexcept;
@@ -32,6 +33,9 @@ public:
                                const WakePipe* wake);
     /// Sends a text.
     void tell(const std::string& text);
+
+    /// Messages of bytes that were left out, of an address that takes texts only.
+    [[nodiscard]] std::uint64_t leftOut() const;
 
     /// Translated; after Outcome::gone.
     [[nodiscard]] const std::string& goneReason() const;

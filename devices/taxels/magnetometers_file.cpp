@@ -2,7 +2,9 @@
 #include "devices/taxels/magnetometers_file.h"
 
 #include "devices/taxels/frames/frame_decoder.h"
+#include "devices/taxels/taxels_text.h"
 
+#include <optional>
 #include <string>
 
 namespace teleta::taxels {
@@ -80,22 +82,25 @@ void MagnetometersFile::describeKeys(core::Keys& keys) {
     keys.text("path", serial.path, "Path of its serial port");
     keys.whole("baud", serial.baud, {9600, 4'000'000}, "Bits a second", Need::optional);
     taxels.address = serial;
-    int chips = 5;
-    keys.whole("chips", chips, {kFewestChips, kMostChips}, "Magnetometers on the board", Need::optional);
+    std::optional<int> told;
+    keys.whole("chips", told, {kFewestChips, kMostChips},
+               "Magnetometers on the board; otherwise as many as there are positions");
     auto format = Format::binary;
     keys.choice("format", format,
                 {{"binary", "Four float32 a chip, t, x, y, z, then `0D 0A`, as AnySkin and ReSkin send it"},
                  {"reskin_text", "x, y, z, t of each chip between tabs. The text of AnySkin has no separator "
                                  "between chips and cannot be read: load its binary sketch"}},
                 "What the board sends");
-    if (format == Format::binary)
-        taxels.format = magnetometerFrames(static_cast<std::size_t>(chips));
-    else
-        taxels.format = reskinText(static_cast<std::size_t>(chips));
-    taxels.temperatures = static_cast<std::size_t>(chips);
     taxels.grid.setComponents(TaxelGrid::kMostComponents);
     taxels.grid.setUnit("µT");
-    taxels.grid.describePositions(keys, static_cast<std::size_t>(chips), Need::required);
+    const bool hasPositions =
+        taxels.grid.describePositions(keys, static_cast<std::size_t>(told.value_or(0)), Need::required);
+    if (hasPositions && taxels.grid.taxels() > kMostChips)
+        refuse(keys, "positions_mm", TaxelsText::tr("there are %1 positions").arg(taxels.grid.taxels()),
+               TaxelsText::tr("at most %1 chips").arg(kMostChips));
+    const std::size_t chips = taxels.grid.taxels();
+    taxels.format = format == Format::binary ? FrameFormat(magnetometerFrames(chips)) : reskinText(chips);
+    taxels.temperatures = chips;
     taxels.grid.describeAxes(keys);
     double threshold_uT = 0.0;
     keys.number("threshold_uT", threshold_uT, NumberRange::positive(),

@@ -24,6 +24,13 @@ link::FrameClock clockOf(const FrameFormat& format) {
 
 } // namespace
 
+bool countsLosses(const FrameFormat& format) {
+    if (const auto* binary = std::get_if<BinaryFormat>(&format))
+        return binary->counter || (binary->time && !isFloat(binary->time->field.type));
+    const auto* json = std::get_if<JsonFormat>(&format);
+    return json != nullptr && !json->counter.empty();
+}
+
 StreamTime::StreamTime(const FrameFormat& format)
     : m_clock(clockOf(format)) {
     if (const auto* binary = std::get_if<BinaryFormat>(&format); binary != nullptr && binary->counter) {

@@ -9,6 +9,9 @@
 
 namespace teleta::taxels {
 
+/// Whether frames of this format tell how many were lost before them, by a counter or a whole-numbered time.
+[[nodiscard]] bool countsLosses(const FrameFormat& format);
+
 /// What counters and times of frames say of the stream: its time, which never goes back, lost frames,
 /// repeated ones, and that the sensor started anew.
 ///   lost = counter - last - 1, modulo its range; half of the range and more is a restart

@@ -36,6 +36,31 @@ FrameDecoder::Counters sum(FrameDecoder::Counters a, const FrameDecoder::Counter
     return a;
 }
 
+/// Why a sensor is lost of which no good frame came for so long.
+std::string lostReason(const FrameDecoder::Problem& problem, std::int64_t after_ns) {
+    using Kind = FrameDecoder::Problem::Kind;
+    const double after_s = static_cast<double>(after_ns) * 1e-9;
+    const QString found = QString::fromStdString(problem.found).left(40);
+    const QString expected = QString::fromStdString(problem.expected).left(40);
+    switch (problem.kind) {
+    case Kind::noValues:
+        return TaxelsText::tr("The sensor has told no values for %1 s: it has none, or they are switched "
+                              "off.")
+            .arg(after_s)
+            .toStdString();
+    case Kind::model:
+        return TaxelsText::tr("The sensor is another model: %1 instead of %2.")
+            .arg(found, expected)
+            .toStdString();
+    case Kind::taxels:
+        return TaxelsText::tr("The sensor has %1 taxels instead of %2.").arg(found, expected).toStdString();
+    case Kind::none:
+    case Kind::other:
+        break;
+    }
+    return TaxelsText::tr("The sensor has sent no usable frame for %1 s.").arg(after_s).toStdString();
+}
+
 std::int64_t lostAfter_ns(const TaxelsTimes& times, double rate_Hz) {
     const std::int64_t configured_ns = times.noFrames_ms * kMs_ns;
     if (!(rate_Hz > 0.0))
@@ -79,6 +104,7 @@ void TaxelsDevice::open(core::Wakeup& consumer) {
     m_time = StreamTime(m_file.format);
     m_counters = {};
     m_closedLines = {};
+    m_closedBinary = 0;
     m_retry.reset();
     m_ended = false;
     publish();
@@ -125,10 +151,8 @@ std::string TaxelsDevice::stream(const std::stop_token& stop) {
     m_read_ns = m_lastFrame_ns;
     while (!stop.stop_requested()) {
         const std::int64_t now_ns = core::steadyNow_ns();
-        if (now_ns >= m_lastFrame_ns + m_lostAfter_ns)
-            return TaxelsText::tr("The sensor has sent no usable frame for %1 s.")
-                .arg(static_cast<double>(m_lostAfter_ns) * 1e-9)
-                .toStdString();
+        if (now_ns >= lostAt_ns())
+            return lostReason(m_decoder->problem(), lostAt_ns() - m_lastFrame_ns);
         std::size_t count = 0;
         switch (m_link->read(m_read, count, deadline_ns(now_ns), &m_wake)) {
         case ByteLink::Outcome::done:
@@ -151,8 +175,15 @@ std::string TaxelsDevice::stream(const std::stop_token& stop) {
     return {};
 }
 
+std::int64_t TaxelsDevice::lostAt_ns() const {
+    const bool isUnusable = m_decoder->problem().kind != FrameDecoder::Problem::Kind::none;
+    return m_lastFrame_ns + (isUnusable && m_file.times.unusable_ms > 0
+                                 ? std::min(m_lostAfter_ns, m_file.times.unusable_ms * kMs_ns)
+                                 : m_lostAfter_ns);
+}
+
 std::int64_t TaxelsDevice::deadline_ns(std::int64_t now_ns) {
-    std::int64_t deadline_ns = m_lastFrame_ns + m_lostAfter_ns;
+    std::int64_t deadline_ns = lostAt_ns();
     if (m_outlet.state() == DeviceState::live) {
         const std::int64_t stale_ns = m_lastFrame_ns + m_staleAfter_ns;
         if (now_ns >= stale_ns)
@@ -260,14 +291,17 @@ void TaxelsDevice::reconnect(std::string reason, const std::stop_token& stop) {
 }
 
 void TaxelsDevice::closeLink() {
-    if (m_link)
+    if (m_link) {
         m_closedLines = sum(m_closedLines, m_decoder->counters());
+        m_closedBinary += m_link->leftOut();
+    }
     m_link.reset();
     publish();
 }
 
 void TaxelsDevice::publish() {
     m_counters.line = m_link ? sum(m_closedLines, m_decoder->counters()) : m_closedLines;
+    m_counters.binaryMessages = m_closedBinary + (m_link ? m_link->leftOut() : 0);
     m_published.set(m_counters);
 }
 

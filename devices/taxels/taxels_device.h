@@ -30,6 +30,7 @@ struct TaxelsCounters {
     std::uint64_t sensorRestarts = 0; ///< counter or time jumped back
     std::uint64_t connections = 0;    ///< including the first one
     std::uint64_t failedAttempts = 0; ///< to connect again
+    std::uint64_t binaryMessages = 0; ///< left out, of a WebSocket whose messages are texts
 
     bool operator==(const TaxelsCounters&) const = default;
 };
@@ -70,6 +71,8 @@ private:
     void adopt(link::ByteLink link);
     /// Reads frames until stop, a loss or the end; returns why it was lost.
     [[nodiscard]] std::string stream(const std::stop_token& stop);
+    /// When the sensor is lost, if no good frame comes.
+    [[nodiscard]] std::int64_t lostAt_ns() const;
     /// Until when to wait for bytes; enters the state stale when it is time.
     [[nodiscard]] std::int64_t deadline_ns(std::int64_t now_ns);
     void deliverFrames(FrameDecoder::Rest rest, const std::stop_token& stop);
@@ -97,6 +100,7 @@ private:
     StreamTime m_time;
     TaxelsCounters m_counters;
     FrameDecoder::Counters m_closedLines; ///< of the connections before this one
+    std::uint64_t m_closedBinary = 0;     ///< likewise
     std::vector<float> m_values;          ///< of the frame at hand, as the layout has them
     std::vector<std::uint8_t> m_read;
     std::int64_t m_begin_ns = 0;       ///< of the stream

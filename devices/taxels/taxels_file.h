@@ -20,6 +20,7 @@ struct TaxelsTimes {
     int lineSilence_ms = 200; ///< after this, the rest of a frame is not expected any more
     int stale_ms = 0;         ///< age of the newest frame that is stale; 0: core::staleAfter_ns of the rate
     int noFrames_ms = 2000;  ///< time without a good frame after which the sensor is lost; at least 5 periods
+    int unusable_ms = 0;     ///< the same while frames come that cannot be used; 0: no other time
     int firstRetry_ms = 100; ///< wait before connecting again; doubles
     int longestRetry_ms = 2000; ///< up to this
 };

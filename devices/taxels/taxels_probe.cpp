@@ -4,6 +4,7 @@
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 #include "devices/link/byte_link.h"
+#include "devices/taxels/magnetometers_file.h"
 #include "devices/taxels/taxels_link.h"
 #include "devices/taxels/taxels_text.h"
 
@@ -23,7 +24,8 @@ using Outcome = ByteLink::Outcome;
 using Rest = FrameDecoder::Rest;
 
 constexpr double kLook_s = 0.05;
-constexpr double kRest_s = 3.0; ///< for the next frame, besides its period
+constexpr std::size_t kBytesForChips = 4096; ///< three frames of the largest board
+constexpr double kRest_s = 3.0;              ///< for the next frame, besides its period
 
 std::int64_t in(double time_s) {
     return core::steadyNow_ns() + static_cast<std::int64_t>(time_s * 1e9);
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] std::span<const std::uint8_t> read() const { return m_read; }
     [[nodiscard]] const FrameDecoder& decoder() const { return *m_decoder; }
     [[nodiscard]] bool isFile() const { return m_link.isFile(); }
+    [[nodiscard]] std::uint64_t binaryMessages() const { return m_link.leftOut(); }
 
 private:
     const TaxelsFile& m_file;
@@ -67,6 +70,20 @@ private:
     Rest m_rest = Rest::mayCome;
     std::int64_t m_read_ns = core::steadyNow_ns();
 };
+
+} // namespace
+
+namespace {
+
+/// Error: the bytes are frames of another number of chips.
+core::Expected<void> checkChips(const TaxelsFile& file, std::span<const std::uint8_t> bytes) {
+    const auto chips = file.temperatures > 0 ? chipsOf(bytes) : std::nullopt;
+    if (!chips || *chips == static_cast<int>(file.temperatures))
+        return {};
+    return core::failed(
+        core::ErrorKind::unavailable, TaxelsText::tr("the board sends frames of %1 chips").arg(*chips),
+        TaxelsText::tr("frames of %1 chips, as the file has positions").arg(file.temperatures));
+}
 
 } // namespace
 
@@ -103,6 +120,7 @@ core::Expected<TaxelsProbe> probeTaxels(const TaxelsFile& file, const ProbeLimit
         goesOn = goesOn && !(sensor.isFile() && probe.bytes.size() >= limits.bytes);
     }
     probe.counters = sensor.decoder().counters();
+    probe.binaryMessages = sensor.binaryMessages();
     if (!sensor.isFile() && probe.frames.size() > 1 && last_ns > first_ns)
         probe.rate_Hz =
             1e9 * static_cast<double>(probe.frames.size() - 1) / static_cast<double>(last_ns - first_ns);
@@ -117,6 +135,7 @@ core::Expected<RestReading> measureRest(const TaxelsFile& file, const std::funct
     std::vector<std::vector<float>> readings(taxels + file.temperatures);
     std::vector<float> loads(taxels);
     std::size_t frames = 0;
+    std::vector<std::uint8_t> bytes; // the first ones, which may tell why there is no frame
     const double wait_s = kRest_s + (file.rate_Hz > 0.0 ? 1.0 / file.rate_Hz : 0.0);
     std::int64_t end_ns = in(wait_s);
     DecodedFrame frame;
@@ -124,6 +143,11 @@ core::Expected<RestReading> measureRest(const TaxelsFile& file, const std::funct
         if (cancelled && cancelled())
             return core::failed(core::ErrorKind::cancelled, TaxelsText::tr("opening was cancelled"));
         goesOn = sensor.listen(end_ns);
+        if (frames == 0 && bytes.size() < kBytesForChips) {
+            bytes.insert(bytes.end(), sensor.read().begin(), sensor.read().end());
+            if (bytes.size() >= kBytesForChips)
+                TELETA_CHECK(checkChips(file, bytes));
+        }
         while (frames < wanted && sensor.next(frame)) {
             file.grid.place(frame.values, loads);
             for (std::size_t i = 0; i < taxels; ++i)
@@ -135,6 +159,8 @@ core::Expected<RestReading> measureRest(const TaxelsFile& file, const std::funct
             end_ns = in(wait_s);
         }
     }
+    if (frames == 0)
+        TELETA_CHECK(checkChips(file, bytes));
     if (frames < wanted)
         return core::failed(
             core::ErrorKind::unavailable,

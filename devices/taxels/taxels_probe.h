@@ -25,10 +25,11 @@ struct TaxelsProbe {
     std::vector<std::uint8_t> bytes; ///< the first ones, as they came
     std::vector<Place> frames;       ///< where frames are among all bytes
     FrameDecoder::Counters counters;
-    std::optional<double> rate_Hz; ///< frames a second; empty: fewer than two, or bytes of a file
-    std::vector<float> first;      ///< the grid of the first frame; empty: there was none
-    std::vector<float> others;     ///< its other numbers, such as temperatures
-    core::TemperatureDrift drift;  ///< of the chips since the first frame
+    std::uint64_t binaryMessages = 0; ///< left out, of a WebSocket whose messages are texts
+    std::optional<double> rate_Hz;    ///< frames a second; empty: fewer than two, or bytes of a file
+    std::vector<float> first;         ///< the grid of the first frame; empty: there was none
+    std::vector<float> others;        ///< its other numbers, such as temperatures
+    core::TemperatureDrift drift;     ///< of the chips since the first frame
 };
 
 struct ProbeLimits {

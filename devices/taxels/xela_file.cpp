@@ -22,11 +22,14 @@ enum class Values { calibrated, raw };
 void XelaFile::describeKeys(core::Keys& keys) {
     keys.word("kind", "xela", "A XELA uSkin behind its xela_server");
     keys.text("name", taxels.name, "Name on the screen");
-    link::WebAddress server{"ws://127.0.0.1:5000"};
+    link::WebAddress server{.url = "ws://127.0.0.1:5000", .textsOnly = true};
     describeWebAddress(keys, server.url, "Address of its server", Need::optional);
     taxels.address = server;
     int sensor = 1;
     keys.whole("sensor", sensor, {0, 1000}, "Number of the sensor, as the server names it", Need::optional);
+    std::string model;
+    keys.text("model", model, "Its model, as the server names it; otherwise the first one that it names",
+              Need::optional);
     auto values = Values::calibrated;
     keys.choice("values", values,
                 {{"calibrated", "Forces in N, which only some models have, and only when switched on"},
@@ -53,12 +56,15 @@ void XelaFile::describeKeys(core::Keys& keys) {
     const std::string place = '/' + std::to_string(sensor);
     taxels.format = JsonFormat{.values = place + (values == Values::raw ? "/data" : "/calibrated"),
                                .time = "/time",
+                               .otherTime = place + "/time",
                                .mayLackTime = true,
+                               .sensor = JsonSensor{place, taxels.grid.taxels(), model},
                                .counter = "/message",
                                .hex = values == Values::raw,
                                .count = taxels.grid.values()};
     taxels.times.stale_ms = 1000;
     taxels.times.noFrames_ms = 3000;
+    taxels.times.unusable_ms = 1000;
     taxels.times.firstRetry_ms = 500;
     taxels.times.longestRetry_ms = 5000;
 }

@@ -20,6 +20,8 @@ void FrameDecoder::drop(std::size_t bytes) {
 
 void FrameDecoder::take(std::size_t bytes, bool isOther) {
     ++(isOther ? m_counters.otherFrames : m_counters.frames);
+    if (!isOther)
+        m_problem = {};
     m_counters.frameBytes += bytes;
     m_frameBegin = m_erased + m_begin;
     m_frameSize = bytes;

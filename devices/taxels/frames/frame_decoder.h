@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace teleta::taxels {
@@ -40,6 +41,22 @@ public:
         bool operator==(const Counters&) const = default;
     };
 
+    /// Why the newest frame of the sensor could not be used.
+    struct Problem {
+        enum class Kind {
+            none,
+            noValues, ///< it tells none of these values
+            model,    ///< it is another model
+            taxels,   ///< it has another number of taxels
+            other,    ///< damaged in some way
+        };
+        Kind kind = Kind::none;
+        std::string found = {}; ///< of model and taxels
+        std::string expected = {};
+
+        bool operator==(const Problem&) const = default;
+    };
+
     /// Whether the bytes of an incomplete frame may still follow.
     enum class Rest {
         mayCome,
@@ -62,6 +79,8 @@ public:
     [[nodiscard]] virtual bool next(DecodedFrame& frame, Rest rest = Rest::mayCome) = 0;
 
     [[nodiscard]] const Counters& counters() const { return m_counters; }
+    /// Of the newest frame; none: it is fine.
+    [[nodiscard]] const Problem& problem() const { return m_problem; }
     [[nodiscard]] std::size_t pendingBytes() const { return m_buffer.size() - m_begin; }
     /// Bytes of the stream before the newest frame, and those that it has.
     [[nodiscard]] std::uint64_t frameBegin() const { return m_frameBegin; }
@@ -76,6 +95,7 @@ protected:
     void take(std::size_t bytes, bool isOther);
 
     Counters m_counters;
+    Problem m_problem;
 
 private:
     std::vector<std::uint8_t> m_buffer;

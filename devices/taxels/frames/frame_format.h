@@ -108,12 +108,22 @@ struct CsvFormat {
     Scaling scaling = {};
 };
 
-/// One JSON document a line. Pointers as RFC 6901 has them.
+/// One of several sensors in a JSON document, with what it says of itself: "taxels", a number, and "model".
+struct JsonSensor {
+    std::string place = {}; ///< pointer to it; a document without it is another frame
+    std::size_t taxels = 0; ///< that it has to have, where it tells them
+    std::string model = {}; ///< likewise; empty: the first one that it tells
+};
+
+/// One JSON document a line. Pointers as RFC 6901 has them. NaN and Infinity as Python writes them, which are
+/// no JSON, are read as null.
 struct JsonFormat {
-    std::string values = {}; ///< to an array of numbers, or a text of hexadecimal numbers with commas
-    std::string time = {};   ///< to a number; empty: none
+    std::string values = {};    ///< to an array of numbers, or a text of hexadecimal numbers with commas
+    std::string time = {};      ///< to a number; empty: none
+    std::string otherTime = {}; ///< to a number that counts where there is no time; empty: none
     bool mayLackTime = false;
-    std::string counter = {}; ///< to a whole number that counts the frames; empty: none
+    std::optional<JsonSensor> sensor = {}; ///< nothing: a document without the values is another frame
+    std::string counter = {};              ///< to a whole number that counts the frames; empty: none
     double timeUnit_s = 1.0;
     bool hex = false;
     std::size_t count = 1; ///< of values

@@ -2,6 +2,7 @@
 #include "devices/taxels/frames/line_decoder.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -45,6 +46,28 @@ bool isShallow(std::string_view text) {
     return true;
 }
 
+/// The text with null in place of NaN, Infinity and -Infinity, where they stand outside of quotes.
+std::string withoutNaN(std::string_view text) {
+    constexpr std::array<std::string_view, 3> kNoNumbers{"NaN", "-Infinity", "Infinity"};
+    std::string result;
+    bool isQuoted = false;
+    while (!text.empty()) {
+        const auto found = std::ranges::find_if(
+            kNoNumbers, [&](std::string_view name) { return !isQuoted && text.starts_with(name); });
+        if (found != kNoNumbers.end()) {
+            result += "null";
+            text.remove_prefix(found->size());
+            continue;
+        }
+        if (text.front() == '"')
+            isQuoted = !isQuoted;
+        const std::size_t letters = isQuoted && text.front() == '\\' && text.size() > 1 ? 2 : 1;
+        result += text.substr(0, letters);
+        text.remove_prefix(letters);
+    }
+    return result;
+}
+
 } // namespace
 
 LineDecoder::LineDecoder(CsvFormat format, Framing framing)
@@ -56,7 +79,10 @@ LineDecoder::LineDecoder(CsvFormat format, Framing framing)
 LineDecoder::LineDecoder(JsonFormat format, Framing framing)
     : m_values(format.values)
     , m_time(format.time)
+    , m_otherTime(format.otherTime)
     , m_counter(format.counter)
+    , m_sensor(format.sensor ? format.sensor->place : std::string())
+    , m_model(format.sensor ? format.sensor->model : std::string())
     , m_datagrams(framing == Framing::datagrams) {
     m_format = std::move(format);
 }
@@ -96,9 +122,12 @@ bool LineDecoder::next(DecodedFrame& frame, Rest rest) {
         frame.counter.reset();
         frame.ticks.reset();
         frame.time_s.reset();
+        const Problem before = std::exchange(m_problem, {});
         const Verdict verdict = std::holds_alternative<JsonFormat>(m_format) ? readJson(line, frame)
                                 : !isCut && readCsv(line, frame)             ? Verdict::frame
                                                                              : Verdict::wrong;
+        if (verdict == Verdict::other)
+            m_problem = before;
         if (verdict != Verdict::wrong) {
             take(size, verdict == Verdict::other);
             if (verdict == Verdict::frame)
@@ -106,6 +135,8 @@ bool LineDecoder::next(DecodedFrame& frame, Rest rest) {
             continue;
         }
         ++m_counters.badValues;
+        if (m_problem.kind == Problem::Kind::none)
+            m_problem.kind = Problem::Kind::other;
         drop(size);
     }
     return false;
@@ -138,25 +169,29 @@ bool LineDecoder::readCsv(std::string_view line, DecodedFrame& frame) const {
     return column >= format.lastColumn && column >= format.timeColumn;
 }
 
-LineDecoder::Verdict LineDecoder::readJson(std::string_view line, DecodedFrame& frame) const {
+LineDecoder::Verdict LineDecoder::readJson(std::string_view line, DecodedFrame& frame) {
     const auto& format = std::get<JsonFormat>(m_format);
     if (!isShallow(line))
         return Verdict::wrong;
-    const nlohmann::json document = nlohmann::json::parse(line, nullptr, false);
+    nlohmann::json document = nlohmann::json::parse(line, nullptr, false);
+    if (document.is_discarded())
+        document = nlohmann::json::parse(withoutNaN(line), nullptr, false);
     if (document.is_discarded())
         return Verdict::wrong;
     try {
-        if (!document.contains(m_values))
+        if (!document.contains(format.sensor ? m_sensor : m_values))
             return Verdict::other;
+        if (format.sensor && !isOurSensor(document.at(m_sensor)))
+            return Verdict::wrong;
+        if (!document.contains(m_values) || document.at(m_values).is_null()) {
+            m_problem.kind = Problem::Kind::noValues;
+            return Verdict::wrong;
+        }
         if (!readValues(document.at(m_values), frame))
             return Verdict::wrong;
-        if (!format.time.empty()) {
-            const bool isThere = document.contains(m_time) && document.at(m_time).is_number();
-            if (isThere)
-                frame.time_s = document.at(m_time).get<double>() * format.timeUnit_s;
-            else if (!format.mayLackTime)
-                return Verdict::wrong;
-        }
+        readTime(document, frame);
+        if (!format.time.empty() && !frame.time_s && !format.mayLackTime)
+            return Verdict::wrong;
         if (!format.counter.empty()) {
             if (!document.contains(m_counter) || !document.at(m_counter).is_number_unsigned())
                 return Verdict::wrong;
@@ -168,6 +203,37 @@ LineDecoder::Verdict LineDecoder::readJson(std::string_view line, DecodedFrame& 
     return frame.values.size() == format.count && (!frame.time_s || std::isfinite(*frame.time_s))
                ? Verdict::frame
                : Verdict::wrong;
+}
+
+bool LineDecoder::isOurSensor(const nlohmann::json& sensor) {
+    const JsonSensor& wanted = *std::get<JsonFormat>(m_format).sensor;
+    const auto model = sensor.find("model");
+    if (model != sensor.end() && model->is_string()) {
+        const auto& told = model->get_ref<const std::string&>();
+        if (m_model.empty())
+            m_model = told;
+        if (told != m_model) {
+            m_problem = {Problem::Kind::model, told, m_model};
+            return false;
+        }
+    }
+    const auto taxels = sensor.find("taxels");
+    if (taxels != sensor.end() && taxels->is_number() &&
+        taxels->get<double>() != static_cast<double>(wanted.taxels)) {
+        m_problem = {Problem::Kind::taxels, taxels->dump(), std::to_string(wanted.taxels)};
+        return false;
+    }
+    return true;
+}
+
+void LineDecoder::readTime(const nlohmann::json& document, DecodedFrame& frame) const {
+    const auto& format = std::get<JsonFormat>(m_format);
+    const auto read = [&](const std::string& name, const nlohmann::json::json_pointer& place) {
+        if (!frame.time_s && !name.empty() && document.contains(place) && document.at(place).is_number())
+            frame.time_s = document.at(place).get<double>() * format.timeUnit_s;
+    };
+    read(format.time, m_time);
+    read(format.otherTime, m_otherTime);
 }
 
 bool LineDecoder::readValues(const nlohmann::json& values, DecodedFrame& frame) const {

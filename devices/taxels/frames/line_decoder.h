@@ -25,14 +25,19 @@ private:
     enum class Verdict { wrong, other, frame };
 
     [[nodiscard]] bool readCsv(std::string_view line, DecodedFrame& frame) const;
-    [[nodiscard]] Verdict readJson(std::string_view line, DecodedFrame& frame) const;
+    [[nodiscard]] Verdict readJson(std::string_view line, DecodedFrame& frame);
+    [[nodiscard]] bool isOurSensor(const nlohmann::json& sensor);
+    void readTime(const nlohmann::json& document, DecodedFrame& frame) const;
     [[nodiscard]] bool readValues(const nlohmann::json& values, DecodedFrame& frame) const;
     [[nodiscard]] bool readHex(std::string_view text, DecodedFrame& frame) const;
 
     std::variant<CsvFormat, JsonFormat> m_format;
     nlohmann::json::json_pointer m_values;
     nlohmann::json::json_pointer m_time;
+    nlohmann::json::json_pointer m_otherTime;
     nlohmann::json::json_pointer m_counter;
+    nlohmann::json::json_pointer m_sensor;
+    std::string m_model; ///< of the sensor; empty: not told yet
     bool m_datagrams;
     std::size_t m_toSkip = 0;
     bool m_begunLine = false;   ///< the begin of the line at hand was dropped

@@ -100,6 +100,44 @@ TEST(LineDecoder, readsHexadecimalTextAsOfXela) {
     EXPECT_EQ(decoder->counters().badValues, 3U);
 }
 
+TEST(LineDecoder, checksWhatASensorSaysOfItself) {
+    using Problem = FrameDecoder::Problem;
+    const auto decoder = makeDecoder(JsonFormat{.values = "/1/f",
+                                                .time = "/t",
+                                                .otherTime = "/1/t",
+                                                .mayLackTime = true,
+                                                .sensor = JsonSensor{"/1", 1, {}},
+                                                .count = 3},
+                                     Framing::datagrams);
+    const auto problemOf = [&](const std::string& text) {
+        DecodedFrame frame;
+        decoder->feed(bytesOf(text));
+        EXPECT_FALSE(decoder->next(frame)) << text;
+        return decoder->problem();
+    };
+    DecodedFrame frame;
+    decoder->feed(bytesOf(R"({"1":{"model":"A","taxels":1,"f":[1,2,3],"t":0.5},"2":{"f":[NaN,-Infinity]}})"));
+    ASSERT_TRUE(decoder->next(frame)) << "only the other sensor tells no numbers";
+    EXPECT_EQ(frame.time_s, 0.5) << "the sensor's, where the document has none";
+    EXPECT_EQ(decoder->problem(), Problem());
+
+    EXPECT_EQ(problemOf(R"({"1":{"model":"B","taxels":1,"f":[1,2,3]}})"),
+              (Problem{Problem::Kind::model, "B", "A"}));
+    EXPECT_EQ(problemOf(R"({"message":"Welcome"})").kind, Problem::Kind::model) << "of the newest frame";
+    EXPECT_EQ(problemOf(R"({"1":{"model":"A","taxels":2,"f":[1,2,3]}})"),
+              (Problem{Problem::Kind::taxels, "2", "1"}));
+    EXPECT_EQ(problemOf(R"({"1":{"model":"A","taxels":1,"f":null}})").kind, Problem::Kind::noValues);
+    EXPECT_EQ(problemOf(R"({"1":{"model":"A","taxels":1}})").kind, Problem::Kind::noValues);
+    EXPECT_EQ(problemOf(R"({"1":{"f":[1,NaN,3]}})").kind, Problem::Kind::other);
+    EXPECT_EQ(problemOf(R"({"1":{"f":[1,2,3]})").kind, Problem::Kind::other);
+    EXPECT_EQ(decoder->counters().badValues, 6U);
+
+    decoder->feed(bytesOf(R"({"t":2,"1":{"f":[1,2,3],"t":7,"note":"NaN \" Infinity"},"2":NaN})"));
+    ASSERT_TRUE(decoder->next(frame)) << "model and number of taxels may be missing";
+    EXPECT_EQ(frame.time_s, 2.0);
+    EXPECT_EQ(decoder->problem(), Problem());
+}
+
 TEST(LineDecoder, dropsALineThatIsTooLongAndGoesOn) {
     const auto decoder = makeDecoder(CsvFormat{.lastColumn = 1}, Framing::stream);
     const std::string longLine(kLongestFrame + 10, '1');

@@ -91,7 +91,7 @@ TEST(Magnetometers, giveWholeFramesBetweenCutNoisyAndDoubledOnesAndAfterTheyWere
         for (const int number : {0, 1, 2, 3, 5, 6, 7, 8, 9, 10, 10, 11, 12})
             EXPECT_EQ(found[i++], expected(number)) << number;
         EXPECT_EQ((*device)->counters().line.droppedBytes, 5U + 54U + 3U);
-        EXPECT_EQ((*device)->status().framesLost, 0U) << "the sensor does not count its frames";
+        EXPECT_EQ((*device)->status().framesLost, 0U);
         ASSERT_TRUE(board.done());
 
         ASSERT_TRUE(board.command("unplug"));
@@ -193,6 +193,23 @@ TEST(Magnetometers, takeTheMedianOfFiftyFramesForTheirRest) {
     EXPECT_TRUE(std::isnan(rest->values[0]));
     // It warms up, and the upper of the two middle ones is frame 25.
     EXPECT_EQ(rest->temperatures_degC, std::vector<float>(5, 25.0F + 25.0F / 64));
+}
+
+TEST(Magnetometers, areNotOpenedWithAnotherNumberOfChips) {
+    teleta::test::TemporaryFolder folder;
+    Board board("pty", "skin", folder.path("port"));
+    std::string text = skinOn(folder.path("port"));
+    const std::size_t last = text.rfind(", [", text.find("]]"));
+    text.erase(last, text.find("]]") + 1 - last);
+    if (const std::size_t chips = text.find("chips = 5\n"); chips != std::string::npos)
+        text.erase(chips, 10);
+    const TaxelsFile file = test::parsed(text);
+    EXPECT_EQ(file.temperatures, 4U) << "as many as there are positions";
+    board.say("write pause:100 0-80");
+    const auto rest = measureRest(file);
+    ASSERT_FALSE(rest);
+    EXPECT_NE(rest.error().message.find("5 chips"), std::string::npos) << core::describe(rest.error());
+    EXPECT_NE(rest.error().expected.find("4 chips"), std::string::npos) << core::describe(rest.error());
 }
 
 TEST(Magnetometers, sayGoodbyeWhenTheirMeasurementIsCancelled) {

@@ -87,6 +87,20 @@ TEST(StreamTime, countsNoIntervalTwiceWhenSomeFramesLackTheirTime) {
     EXPECT_DOUBLE_EQ(at(1e9 + 0.75, 1.5), 1.25);
 }
 
+TEST(StreamTime, knowsWhetherLossesCanBeCounted) {
+    BinaryFormat binary;
+    EXPECT_FALSE(countsLosses(binary)) << "as of AnySkin";
+    binary.time = TimeField{};
+    EXPECT_TRUE(countsLosses(binary));
+    binary.time->field.type = NumberType::float32;
+    EXPECT_FALSE(countsLosses(binary)) << "no whole number";
+    binary.counter = NumberField{};
+    EXPECT_TRUE(countsLosses(binary));
+    EXPECT_FALSE(countsLosses(CsvFormat{.timeColumn = 1}));
+    EXPECT_FALSE(countsLosses(JsonFormat{.time = "/t"}));
+    EXPECT_TRUE(countsLosses(JsonFormat{.counter = "/message"}));
+}
+
 TEST(StreamTime, isTheHostsWithoutAnyOther) {
     StreamTime time{CsvFormat{}};
     EXPECT_DOUBLE_EQ(time.advance({}, 0.1).time_s, 0.1);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <filesystem>
+#include <utility>
 
 namespace teleta::taxels {
 namespace {
@@ -46,7 +47,10 @@ protected:
         TaxelsFile file = test::parsed(fileFor(values));
         file.times.connect_ms = 20'000;
         file.times.stale_ms = 20'000;
-        file.times.noFrames_ms = m_noFrames_ms;
+        EXPECT_EQ(file.times.unusable_ms, 1000);
+        EXPECT_EQ(file.times.noFrames_ms, 3000);
+        file.times.noFrames_ms = 20'000;
+        file.times.unusable_ms = m_unusable_ms;
         file.times.firstRetry_ms = 5;
         file.times.longestRetry_ms = 20;
         auto device = TaxelsDevice::open(std::move(file));
@@ -71,7 +75,7 @@ protected:
         });
     }
 
-    int m_noFrames_ms = 20'000;
+    int m_unusable_ms = 20'000;
     teleta::test::PeerProcess m_server;
     std::string m_port;
     core::Wakeup m_wakeup;
@@ -139,25 +143,57 @@ TEST_F(Xela, dropsAndCountsWhatIsNoFrameOfTheSensor) {
     start(kForces);
     for (const char* line : {"forces 1 2", "null 3", "other 4", "say {\"message\": 5, \"1\": ", "bytes",
                              "say {\"message\": 6, \"2\": {\"calibrated\": [1, 2]}}",
-                             "say {\"message\": 7, \"1\": {\"calibrated\": [NaN]}}", "forces 8 8"})
+                             "say {\"message\": 7, \"1\": {\"calibrated\": [NaN]}}", "model 8", "forces 9 9"})
         ASSERT_TRUE(m_server.command(line)) << line;
     ASSERT_TRUE(receive(3));
-    EXPECT_EQ(m_frames[2][2], -(8.0F / 8 + 2.0F / 16));
-    EXPECT_EQ(m_device->counters().line.badValues, 5U);
+    EXPECT_EQ(m_frames[2][2], -(9.0F / 8 + 2.0F / 16));
+    EXPECT_EQ(m_device->counters().line.badValues, 5U) << "null, other, say, say, model";
+    EXPECT_EQ(m_device->counters().binaryMessages, 1U);
     EXPECT_EQ(m_device->counters().line.otherFrames, 2U) << "the welcome, and a message without this sensor";
-    EXPECT_EQ(m_device->status().framesLost, 5U);
+    EXPECT_EQ(m_device->status().framesLost, 6U);
 }
 
-TEST_F(Xela, isLostWhenItsForcesEnd) {
-    m_noFrames_ms = 300;
+TEST_F(Xela, oneBadSensorDoesNotSpoilTheOthers) {
+    start(kForces);
+    ASSERT_TRUE(m_server.command("spoilt 1 2"));
+    ASSERT_TRUE(receive(2));
+    EXPECT_EQ(m_frames[1][2], -(2.0F / 8 + 2.0F / 16));
+    EXPECT_EQ(m_device->counters().line.badValues, 0U);
+}
+
+TEST_F(Xela, takesTheSensorsTimeWhereTheServerTellsNone) {
+    start(kForces);
+    ASSERT_TRUE(m_server.command("timed 1 4"));
+    ASSERT_TRUE(receive(4));
+    EXPECT_NEAR(m_time_s[3] - m_time_s[0], 3.0 * 0.25, 1e-6);
+}
+
+TEST_F(Xela, isLostWhenItsForcesEndAndSaysWhy) {
+    m_unusable_ms = 50; // of 20 s without any frame
     start(kForces);
     ASSERT_TRUE(m_server.command("forces 1 2"));
     ASSERT_TRUE(receive(2));
-    ASSERT_TRUE(eventually(m_wakeup, [&] {
-        (void)m_server.command("null 3");
-        return m_device->counters().connections >= 2;
-    }));
-    EXPECT_GE(m_device->counters().line.badValues, 1U);
+    for (const auto& [command, cause] : {std::pair{"null 3", "no values"},
+                                         {"model 4", "uSPa46 instead of uSPa44"},
+                                         {"other 5", "24 taxels"}}) {
+        std::string message;
+        ASSERT_TRUE(eventually(m_wakeup,
+                               [&] {
+                                   (void)m_server.command(command);
+                                   const core::DeviceStatus status = m_device->status();
+                                   if (status.state == DeviceState::lost ||
+                                       status.state == DeviceState::reconnecting)
+                                       message = status.message;
+                                   return message.find(cause) != std::string::npos;
+                               }))
+            << command << ": " << message;
+        // It connects again, and a good frame makes it live.
+        ASSERT_TRUE(eventually(m_wakeup, [&] {
+            (void)m_server.command("forces 6 6");
+            return m_device->status().state == DeviceState::live;
+        }));
+    }
+    EXPECT_GE(m_device->counters().line.badValues, 3U);
 }
 
 TEST_F(Xela, connectsAgainWhenTheServerClosesOrSendsTooMuch) {

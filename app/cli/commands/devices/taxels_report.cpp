@@ -98,6 +98,8 @@ void addFields(const TaxelsReport& report, Fields& fields) {
     add(TaxelsReportText::tr("Wrong closing bytes"), counted.badEnds);
     add(TaxelsReportText::tr("Unreadable values"), counted.badValues);
     add(TaxelsReportText::tr("Frames of another length"), counted.otherFrames);
+    if (report.probe.binaryMessages > 0)
+        add(TaxelsReportText::tr("Binary messages, which are left out"), report.probe.binaryMessages);
 }
 
 std::string textOf(const TaxelsReport& report) {
@@ -147,6 +149,7 @@ nlohmann::ordered_json toJson(const TaxelsReport& report) {
             {"wrong_ends", probe.counters.badEnds},
             {"unreadable_values", probe.counters.badValues},
             {"other_frames", probe.counters.otherFrames},
+            {"binary_messages", probe.binaryMessages},
             {"bytes_hex", hex},
             {"frames_found", std::move(places)},
             {"first_frame", std::move(values)}};
