@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/base/frame_options.h"
 
+#include "app/cli/base/feature_rows.h"
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/base/progress_bar.h"
 #include "app/cli/base/standard_streams.h"
+#include "backend/contact/taxels/frame_analysis.h"
 #include "backend/core/data/input_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
 #include "backend/frames/rest_values.h"
+#include "devices/taxels/layout_file.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <array>
 #include <filesystem>
@@ -29,11 +33,12 @@ constexpr char kUntouched[] = "untouched";
 
 /// What the options say of the array and its taxels.
 core::Expected<contact::ConditioningSettings> conditioning(const FrameOptions& options,
-                                                           const core::ArrayLayout& layout) {
+                                                           const OpenFrames& frames) {
+    const core::TaxelLayout& layout = frames.reader.taxels();
     TELETA_TRY(contact::ConditioningSettings settings, options.array.conditioning(layout, options.path));
-    settings.gain = options.gain;
+    settings.gain = frames.gain;
     if (!options.gainsPath.empty()) {
-        TELETA_TRY(const auto gains, equilibration::readTaxelGains(options.gainsPath, layout));
+        TELETA_TRY(const auto gains, equilibration::readTaxelGains(options.gainsPath, layout.grid()));
         settings.taxelGain = gains.values();
     }
     return settings;
@@ -108,8 +113,34 @@ void ArrayOptions::declare(CLI::App& app) {
         ->allow_extra_args(false);
 }
 
-frames::FrameRequest ArrayOptions::request(const std::string& path) const {
+void ArrayOptions::declareLayout(CLI::App& app) {
+    addOption(app, "--layout", m_layoutPath,
+              FrameOptionText::tr("Where the taxels are and what each tells, also off a grid and as vectors: "
+                                  "the table [layout] of a device file"),
+              "FILE.toml");
+}
+
+core::Expected<std::optional<double>> ArrayOptions::newtonsPerUnit() const {
+    if (m_layoutPath.empty())
+        return std::optional<double>();
+    return taxels::readTaxelGrid(m_layoutPath).map([](const taxels::TaxelGrid& grid) {
+        return grid.newtonsPerUnit();
+    });
+}
+
+core::Expected<frames::FrameRequest> ArrayOptions::request(const std::string& path) const {
     frames::FrameRequest request{.path = path};
+    if (!m_layoutPath.empty()) {
+        if (m_rowsOption->count() > 0 || m_pitchOption->count() > 0 ||
+            (!m_columns.empty() && !isRange(m_columns)))
+            refuse("--layout", FrameOptionText::tr("it says rows, columns and pitch itself"));
+        TELETA_TRY(taxels::TaxelGrid grid, taxels::readTaxelGrid(m_layoutPath));
+        request.known = {.layout = grid.layout(), .numbers = grid.values(), .place{}, .unit = grid.unit()};
+        request.known->place = [grid = std::move(grid)](std::span<const float> numbers,
+                                                        std::span<float> frame) {
+            grid.place(numbers, frame);
+        };
+    }
     if (m_rowsOption->count() > 0)
         request.rows = m_rows;
     if (isRange(m_columns))
@@ -137,7 +168,7 @@ std::string ArrayOptions::tarePath() const {
     return tare == kMedian || tare == kFirst || tare == kUntouched ? std::string() : tare;
 }
 
-core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning(const core::ArrayLayout& layout,
+core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning(const core::TaxelLayout& layout,
                                                                          const std::string& path) const {
     contact::ConditioningSettings settings;
     settings.inverted = inverted;
@@ -149,10 +180,14 @@ core::Expected<contact::ConditioningSettings> ArrayOptions::conditioning(const c
         settings.dead[static_cast<std::size_t>(taxel)] = 1;
     if (tare.empty())
         return settings;
+    if (tare == kUntouched && layout.isVector())
+        refuse("--tare", FrameOptionText::tr("'untouched' is for loads, but each taxel tells three values"));
     const std::string file = tarePath();
-    frames::FrameRequest unloaded = request(file.empty() ? path : file);
-    unloaded.rows = layout.rows;
-    unloaded.columns = layout.columns;
+    TELETA_TRY(frames::FrameRequest unloaded, request(file.empty() ? path : file));
+    if (!unloaded.known) {
+        unloaded.rows = layout.grid().rows;
+        unloaded.columns = layout.grid().columns;
+    }
     unloaded.needsTimes = file.empty();
     if (file.empty())
         TELETA_CHECK(core::requireFile(path)); // it is read twice
@@ -187,9 +222,10 @@ void FrameOptions::declare(CLI::App& app) {
               "")
         ->required();
     array.declare(app);
+    array.declareLayout(app);
     addOption(app, "-t,--threshold", threshold_N,
               FrameOptionText::tr("Load in N from which a taxel is in contact"), positive());
-    addOption(app, "--gain", gain, FrameOptionText::tr("N per raw unit"), nonZero());
+    addOption(app, "--gain", gain, FrameOptionText::tr("N per raw unit"))->check(nonZero());
     addOption(app, "--gains", gainsPath,
               FrameOptionText::tr("Gains of the taxels, as \"teleta gains\" writes them"), "GAINS.csv");
     addFlag(app, "--weighted", weighted,
@@ -230,30 +266,41 @@ contact::SegmentationSettings FrameOptions::segmentationSettings() const {
     return {.threshold_N = threshold_N, .noiseHeight = noiseHeight, .minimumTaxels = minimumTaxels};
 }
 
-core::Expected<frames::FrameReader> openFrames(const FrameOptions& options) {
-    refuseToReplace(options.output.outPath,
-                    std::array{options.path, options.array.tarePath(), options.gainsPath});
-    auto reader =
-        frames::FrameReader::open(options.array.request(options.path), [] { return !interrupted(); });
-    if (!reader)
-        return core::Unexpected(interruptedInstead(std::move(reader).error()));
-    if (!reader->unit().empty() && reader->unit() != "N" && options.gain == 1.0)
-        warn(FrameOptionText::tr("The values are in %1, not in N: give the N of one unit with --gain.")
-                 .arg(QString::fromStdString(reader->unit())));
-    return reader;
+void warnOfUnused(const frames::FrameReader& frames) {
+    QStringList names;
+    for (const std::string& name : frames.unused())
+        names << QString::fromStdString(name);
+    if (!names.isEmpty())
+        warn(FrameOptionText::tr("These lines of the file have no effect: %1.")
+                 .arg(names.join(QStringLiteral(", "))));
 }
 
-core::Expected<void> processFrames(const FrameOptions& options, frames::FrameReader frames,
-                                   std::span<const std::string_view> columns,
-                                   const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
-    TELETA_TRY(contact::ConditioningSettings settings, conditioning(options, frames.layout()));
-    TELETA_TRY(RowOutput rows, RowOutput::open(columns, options.output));
+core::Expected<OpenFrames> openFrames(const FrameOptions& options) {
+    refuseToReplace(options.output.outPath, std::array{options.path, options.array.tarePath(),
+                                                       options.gainsPath, options.array.layoutPath()});
+    TELETA_TRY(const frames::FrameRequest request, options.array.request(options.path));
+    auto reader = frames::FrameReader::open(request, [] { return !interrupted(); });
+    if (!reader)
+        return core::Unexpected(interruptedInstead(std::move(reader).error()));
+    warnOfUnused(*reader);
+    TELETA_TRY(const std::optional<double> newtons, options.array.newtonsPerUnit());
+    const std::optional<double> gain = options.gain ? options.gain : newtons;
+    const std::string unit = reader->unit();
+    OpenFrames frames{*std::move(reader), gain.value_or(1.0), gain || unit.empty() ? "N" : unit};
+    if (frames.loadUnit != "N")
+        warn(FrameOptionText::tr("The values are in %1, not in N: give the N of one unit with --gain.")
+                 .arg(QString::fromStdString(unit)));
+    return frames;
+}
 
-    const std::size_t taxels = frames.layout().taxels();
-    const contact::FrameConditioner conditioner(taxels, std::move(settings));
-    std::vector<float> raw(taxels);
-    std::vector<float> load_N(taxels);
-    std::vector<std::uint8_t> dead(taxels);
+namespace {
+
+/// Reads the frames and hands each of them to take(raw, time_s, rows).
+template <typename Take>
+core::Expected<void> readInto(const FrameOptions& options, frames::FrameReader& frames,
+                              const std::vector<std::string>& columns, Take take) {
+    TELETA_TRY(RowOutput rows, openRows(columns, options.output));
+    std::vector<float> raw(frames.taxels().values());
     double time_s = 0.0;
     const auto total = static_cast<double>(frames.bytesTotal());
     ProgressBar progress(ProgressBar::Unit::bytes, rows.onTerminal());
@@ -269,12 +316,46 @@ core::Expected<void> processFrames(const FrameOptions& options, frames::FrameRea
         }
         if (!*any)
             break;
-        conditioner.apply(raw, load_N, dead);
-        write({time_s, load_N, dead}, rows);
+        take(std::span<const float>(raw), time_s, rows);
         rows.flushIfDue();
         progress.update(static_cast<double>(frames.bytesRead()), total);
     }
     return unlessCut(rows.finish(), stopped);
+}
+
+} // namespace
+
+core::Expected<void> processFrames(const FrameOptions& options, OpenFrames frames,
+                                   const std::vector<std::string>& columns,
+                                   const std::function<void(const ConditionedFrame&, RowOutput&)>& write) {
+    TELETA_TRY(contact::ConditioningSettings settings, conditioning(options, frames));
+    const std::size_t taxels = frames.reader.taxels().taxels();
+    const contact::FrameConditioner conditioner(taxels, std::move(settings));
+    std::vector<float> load_N(taxels);
+    std::vector<std::uint8_t> dead(taxels);
+    return readInto(options, frames.reader, columns,
+                    [&](std::span<const float> raw, double time_s, RowOutput& rows) {
+                        conditioner.apply(raw, load_N, dead);
+                        write({time_s, load_N, dead}, rows);
+                    });
+}
+
+core::Expected<void>
+analyseFrames(const FrameOptions& options, OpenFrames frames, const std::vector<std::string>& columns,
+              const std::function<void(double time_s, const contact::TaxelFrame&, RowOutput&)>& write) {
+    if (options.summit)
+        refuse("--summit", FrameOptionText::tr("this is for loads on a grid"));
+    contact::AnalysisSettings settings{.conditioning = {},
+                                       .features = options.featureSettings(),
+                                       .segmentation = options.segmentationSettings()};
+    TELETA_TRY(settings.conditioning, conditioning(options, frames));
+    contact::FrameAnalysis analysis(frames.reader.taxels(), settings);
+    contact::TaxelFrame frame;
+    return readInto(options, frames.reader, columns,
+                    [&](std::span<const float> raw, double time_s, RowOutput& rows) {
+                        analysis.analyse(raw, time_s, frame);
+                        write(time_s, frame, rows);
+                    });
 }
 
 } // namespace teleta::cli

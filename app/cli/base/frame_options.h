@@ -5,7 +5,9 @@
 #include "backend/contact/contact_segmenter.h"
 #include "backend/contact/frame_conditioner.h"
 #include "backend/contact/tactile_features.h"
+#include "backend/contact/taxels/taxel_frame.h"
 #include "backend/core/data/array_layout.h"
+#include "backend/core/data/taxel_layout.h"
 #include "backend/core/error.h"
 #include "backend/frames/frame_reader.h"
 #include "backend/frames/frame_request.h"
@@ -15,7 +17,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -33,14 +34,21 @@ struct ArrayOptions {
     std::vector<int> dead; ///< numbers of taxels that are not used
 
     void declare(CLI::App& app);
+    /// The option --layout, of commands that take any array.
+    void declareLayout(CLI::App& app);
 
-    /// What is known of a file of frames. Throws CLI::ValidationError when the options do not fit each other.
-    [[nodiscard]] frames::FrameRequest request(const std::string& path) const;
+    /// What is known of a file of frames. Error: as taxels::readTaxelGrid(). Throws CLI::ValidationError when
+    /// the options do not fit each other.
+    [[nodiscard]] core::Expected<frames::FrameRequest> request(const std::string& path) const;
     /// The file of --tare; empty: there is none.
     [[nodiscard]] std::string tarePath() const;
+    /// The file of --layout; empty: there is none.
+    [[nodiscard]] const std::string& layoutPath() const { return m_layoutPath; }
+    /// N of one unit, as the file of --layout says it.
+    [[nodiscard]] core::Expected<std::optional<double>> newtonsPerUnit() const;
     /// Tare, direction and dead taxels of an array. Reads the tare's file, or path, the recording, for the
     /// tare. Throws CLI::ValidationError when a dead taxel is none of the array.
-    [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning(const core::ArrayLayout& layout,
+    [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning(const core::TaxelLayout& layout,
                                                                              const std::string& path) const;
 
 private:
@@ -51,9 +59,13 @@ private:
     std::string m_axis = "auto";
     std::string m_timeColumn;
     std::string m_timeUnit;
+    std::string m_layoutPath;
     CLI::Option* m_rowsOption = nullptr;
     CLI::Option* m_pitchOption = nullptr;
 };
+
+/// Warns of what a file of frames says and nothing heeds.
+void warnOfUnused(const frames::FrameReader& frames);
 
 /// Throws CLI::ValidationError that names the option when the output would replace one of the inputs.
 void refuseToReplace(const std::string& output, std::span<const std::string> inputs,
@@ -64,8 +76,8 @@ struct FrameOptions {
     std::string path;
     ArrayOptions array;
     double threshold_N = 0.2;
-    double gain = 1.0;
-    std::string gainsPath; ///< of the taxels
+    std::optional<double> gain; ///< N of one unit
+    std::string gainsPath;      ///< of the taxels
     bool weighted = false;
     bool automaticThreshold = false;
     bool activeOnly = false;
@@ -88,17 +100,34 @@ struct ConditionedFrame {
     std::span<const std::uint8_t> dead; ///< 1: the taxel is left out
 };
 
+/// A recording of frames that is open.
+struct OpenFrames {
+    frames::FrameReader reader;
+    double gain = 1.0;
+    std::string loadUnit; ///< of the loads: N after a gain, and where nobody tells a unit
+
+    /// A grid of loads; what else there is goes through analyseFrames().
+    [[nodiscard]] bool isGridOfLoads() const {
+        return reader.taxels().isGrid() && !reader.taxels().isVector();
+    }
+};
+
 /// Opens the recording that the options name, and warns where its values are no forces. Error: as
 /// frames::FrameReader::open(). Throws CLI::ValidationError when the options do not fit each other.
-[[nodiscard]] core::Expected<frames::FrameReader> openFrames(const FrameOptions& options);
+[[nodiscard]] core::Expected<OpenFrames> openFrames(const FrameOptions& options);
 
-/// Reads the recording frame by frame, conditions each frame and hands it to write(), which adds rows of the
-/// given columns. Ends at the end of the file, at the first error, with an interruption (the output is
-/// completed, the error is ErrorKind::cancelled), or when the output fails. Throws CLI::ValidationError when
-/// the options do not fit each other.
+/// Reads a recording of a grid of loads frame by frame, conditions each frame and hands it to write(), which
+/// adds rows of the given columns. Ends at the end of the file, at the first error, with an interruption (the
+/// output is completed, the error is ErrorKind::cancelled), or when the output fails. Throws
+/// CLI::ValidationError when the options do not fit each other.
 [[nodiscard]] core::Expected<void>
-processFrames(const FrameOptions& options, frames::FrameReader frames,
-              std::span<const std::string_view> columns,
+processFrames(const FrameOptions& options, OpenFrames frames, const std::vector<std::string>& columns,
               const std::function<void(const ConditionedFrame&, RowOutput&)>& write);
+
+/// The same of any array, with contacts and features of each frame. --summit and, for contacts,
+/// --auto-threshold are for grids of loads.
+[[nodiscard]] core::Expected<void>
+analyseFrames(const FrameOptions& options, OpenFrames frames, const std::vector<std::string>& columns,
+              const std::function<void(double time_s, const contact::TaxelFrame&, RowOutput&)>& write);
 
 } // namespace teleta::cli

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -78,17 +79,25 @@ core::Expected<void> printTopics(const McapImport& import) {
 }
 
 core::Expected<void> printFrames(const frames::FrameImport& import, bool json) {
-    const core::ArrayLayout& layout = import.layout;
-    if (json)
-        return printDocument(
-            nlohmann::ordered_json{{"recording", import.path},
-                                   {"stream", import.stream},
-                                   {"rows", layout.rows},
-                                   {"columns", layout.columns},
-                                   {"frames", import.frames},
-                                   {"rate_hz", import.rate_Hz > 0.0 ? nlohmann::ordered_json(import.rate_Hz)
-                                                                    : nlohmann::ordered_json(nullptr)}});
-    Fields fields{{ImportText::tr("Array"), QStringLiteral("%1 x %2").arg(layout.rows).arg(layout.columns)},
+    const core::TaxelLayout& layout = import.layout;
+    const core::ArrayLayout& grid = layout.grid();
+    if (json) {
+        nlohmann::ordered_json document{{"recording", import.path}, {"stream", import.stream}};
+        if (layout.isGrid())
+            document.update({{"rows", grid.rows}, {"columns", grid.columns}});
+        else
+            document["taxels"] = layout.taxels();
+        if (layout.isVector())
+            document["components"] = layout.components();
+        document["frames"] = import.frames;
+        document["rate_hz"] = orNull(import.rate_Hz > 0.0 ? std::optional(import.rate_Hz) : std::nullopt);
+        return printDocument(document);
+    }
+    QString shape = layout.isGrid() ? QStringLiteral("%1 x %2").arg(grid.rows).arg(grid.columns)
+                                    : QString::number(layout.taxels());
+    if (layout.isVector())
+        shape += QStringLiteral(" x %1").arg(layout.components());
+    Fields fields{{ImportText::tr("Array"), shape},
                   {ImportText::tr("Frames"), QString::number(import.frames)}};
     if (import.rate_Hz > 0.0)
         fields.emplace_back(ImportText::tr("Rate"),
@@ -110,7 +119,8 @@ public:
                   ImportText::tr("Read a topic as array, camera or joints, where its type leaves a choice"),
                   "/TOPIC=KIND");
         m_array.declare(app);
-        addOption(app, "--gain", m_gain, ImportText::tr("Load in one unit of the values"), nonZero());
+        m_array.declareLayout(app);
+        addOption(app, "--gain", m_gain, ImportText::tr("Load in one unit of the values"))->check(nonZero());
         addOption(
             app, "--unit", m_unit,
             ImportText::tr("Unit of the loads; default: as the file says, else N or counts, by the array"),
@@ -137,17 +147,19 @@ private:
 
     [[nodiscard]] core::Expected<void> importFrames() {
         refuseOptions(std::array{"--topic"}, ImportText::tr("this is for MCAP files only"));
-        frames::FrameRequest request = m_array.request(m_path);
+        TELETA_TRY(frames::FrameRequest request, m_array.request(m_path));
         request.guessesShape = true;
         const auto goOn = [] { return !interrupted(); };
         auto reader = frames::FrameReader::open(request, goOn);
         if (!reader)
             return core::Unexpected(interruptedInstead(std::move(reader).error()));
+        warnOfUnused(*reader);
         frames::FrameImportOptions options;
-        TELETA_TRY(options.settings.conditioning, m_array.conditioning(reader->layout(), m_path));
-        options.settings.conditioning.gain = m_gain;
+        TELETA_TRY(options.settings.conditioning, m_array.conditioning(reader->taxels(), m_path));
+        TELETA_TRY(const std::optional<double> newtons, m_array.newtonsPerUnit());
+        options.settings.conditioning.gain = m_gain.value_or(newtons.value_or(1.0));
         options.settings.features.threshold_N = options.settings.segmentation.threshold_N = m_threshold;
-        options.settings.loadUnit = m_unit;
+        options.settings.loadUnit = m_unit.empty() && newtons && !m_gain ? "N" : m_unit;
         ProgressBar progress(ProgressBar::Unit::share, false);
         options.goOn = [&](double share) {
             progress.update(share, 1.0);
@@ -162,8 +174,8 @@ private:
 
     [[nodiscard]] core::Expected<void> importMessages() {
         refuseOptions(std::array{"--rows", "--columns", "--pitch-mm", "--rate", "--array", "--frame-axis",
-                                 "--tare", "--time-column", "--time-unit", "--invert", "--dead", "--gain",
-                                 "--unit", "--threshold"},
+                                 "--tare", "--time-column", "--time-unit", "--invert", "--dead", "--layout",
+                                 "--gain", "--unit", "--threshold"},
                       ImportText::tr("this is for frames, not for MCAP files"));
         mcap::McapImportOptions options;
         for (const std::string& text : m_topics) {
@@ -191,7 +203,7 @@ private:
     std::string m_out;
     std::vector<std::string> m_topics;
     ArrayOptions m_array;
-    double m_gain = 1.0;
+    std::optional<double> m_gain;
     double m_threshold = 0.2;
     std::string m_unit;
     bool m_json = false;

@@ -264,8 +264,9 @@ private:
         settings.features.threshold_N = m_threshold.value_or(settings.features.threshold_N);
         replay::RecordedConfig config = configOf(source.arrayStream);
         config.array = std::move(source.array.description);
+        const bool vectors = config.array.layout.isVector();
         TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
-        TELETA_TRY(RowOutput rows, RowOutput::open(kFeatureColumns, m_output));
+        TELETA_TRY(RowOutput rows, openRows(featureRowColumns(settings.loadUnit, vectors), m_output));
 
         core::Wakeup data;
         auto made = std::make_unique<replay::RecordedArray>(player);
@@ -283,7 +284,7 @@ private:
             channel.process();
             pipeline::FeatureSample sample;
             while (channel.popSample(sample)) {
-                writeFeatures(rows, sample.sourceTime_s, sample.features);
+                writeFeatures(rows, sample.sourceTime_s, sample.features, vectors);
                 rows.endRow();
             }
             rows.flushIfDue();

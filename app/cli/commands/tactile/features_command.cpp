@@ -13,14 +13,22 @@ namespace {
 
 struct FeaturesCommand : FrameOptions {
     [[nodiscard]] core::Expected<void> run() const {
-        TELETA_TRY(frames::FrameReader frames, openFrames(*this));
-        contact::FeatureExtractor extractor(frames.layout(), featureSettings());
-        const core::ArrayLayout layout = frames.layout();
+        TELETA_TRY(OpenFrames frames, openFrames(*this));
+        const core::TaxelLayout taxels = frames.reader.taxels();
+        const bool vectors = taxels.isVector();
+        const auto columns = withSummit(featureRowColumns(frames.loadUnit, vectors), summit);
+        if (!frames.isGridOfLoads())
+            return analyseFrames(*this, std::move(frames), columns,
+                                 [&](double time_s, const contact::TaxelFrame& frame, RowOutput& rows) {
+                                     writeFeatures(rows, time_s, frame.features, vectors);
+                                     rows.endRow();
+                                 });
+        const core::ArrayLayout layout = taxels.grid();
+        contact::FeatureExtractor extractor(layout, featureSettings());
         return processFrames(
-            *this, std::move(frames), withSummit(kFeatureColumns, summit),
-            [&](const ConditionedFrame& frame, RowOutput& rows) {
+            *this, std::move(frames), columns, [&](const ConditionedFrame& frame, RowOutput& rows) {
                 const contact::TactileFeatures features = extractor.compute(frame.load_N, frame.dead);
-                writeFeatures(rows, frame.time_s, features);
+                writeFeatures(rows, frame.time_s, features, false);
                 if (summit)
                     writeSummit(rows, contact::summitOf(frame.load_N, layout, features.threshold_N,
                                                         frame.dead, noise_N));

@@ -115,7 +115,7 @@ public:
         std::vector<frames::FrameSeries> presses;
         std::vector<contact::ConditioningSettings> settings;
         for (const std::string& path : m_paths) {
-            frames::FrameRequest request = m_array.request(path);
+            TELETA_TRY(frames::FrameRequest request, m_array.request(path));
             request.needsTimes = false;
             if (!presses.empty()) {
                 request.rows = presses.front().layout.rows;
