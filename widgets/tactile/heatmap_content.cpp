@@ -61,9 +61,17 @@ QString taxelText(const HeatmapContent& content, const Taxel& taxel) {
                                             .arg(loadText(std::hypot(content.snapshot.shearX_N[index],
                                                                      content.snapshot.shearY_N[index])));
     const contact::Contact* contact = content.contactAt(index);
-    const QString identity = contact
-                                 ? QCoreApplication::translate("HeatmapView", "contact #%1").arg(contact->id)
-                                 : QCoreApplication::translate("HeatmapView", "no contact");
+    QString identity = contact ? QCoreApplication::translate("HeatmapView", "contact #%1").arg(contact->id)
+                               : QCoreApplication::translate("HeatmapView", "no contact");
+    if (contact && contact->shear) {
+        const contact::ShearLoad& shear = *contact->shear;
+        const double shear_N = std::hypot(shear.x_N, shear.y_N);
+        //: Of a contact: the force along the surface, and it divided by the force into the surface
+        identity = QCoreApplication::translate("HeatmapView", "contact #%1 with shear %2, friction %3")
+                       .arg(contact->id)
+                       .arg(base::withUnit(base::threeDigits(shear_N), content.unit()),
+                            base::threeDigits(shear.friction));
+    }
     const QString place =
         layout.isGrid()
             ? QCoreApplication::translate("HeatmapView", "row %1, column %2").arg(taxel.row).arg(taxel.column)

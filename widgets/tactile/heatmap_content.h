@@ -80,7 +80,7 @@ struct HeatmapContent {
 [[nodiscard]] bool isConsistent(const pipeline::TouchSnapshot& snapshot);
 
 /// Describes a taxel: row and column, or its number where it stands on no grid, load and shear with unit,
-/// contact, place in mm. All count from 0 as in files.
+/// its contact with the shear and friction of it, place in mm. All count from 0 as in files.
 [[nodiscard]] QString taxelText(const HeatmapContent& content, const Taxel& taxel);
 
 /// The frame as CSV: row,column,x_m,y_m,load_<unit in lower case>,dead,contact_id; one row per taxel, C

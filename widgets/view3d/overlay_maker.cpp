@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/overlay_maker.h"
 
-#include "backend/core/data/column_unit.h"
+#include "backend/contact/contact_columns.h"
 #include "widgets/base/numbers/moment_unit.h"
 #include "widgets/base/numbers/quantity_text.h"
 
@@ -244,22 +244,32 @@ void OverlayMaker::addGelLegend(const GelPart& gel, std::vector<LegendLine>& leg
 }
 
 QString wordsFor(const contact::Contact& contact, const QString& unit) {
-    return OverlayMaker::tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
-        .arg(contact.id)
-        .arg(quantity(contact.force_N, unit), quantity(contact.peak_N, unit),
-             quantity(contact.x_m * 1e3, QStringLiteral("mm")),
-             quantity(contact.y_m * 1e3, QStringLiteral("mm")),
-             quantity(contact.area_m2 * 1e6, QStringLiteral("mm\u00b2")));
+    QString text = OverlayMaker::tr("Contact %1\nForce %2, peak %3\nx %4, y %5\nArea %6")
+                       .arg(contact.id)
+                       .arg(quantity(contact.force_N, unit), quantity(contact.peak_N, unit),
+                            quantity(contact.x_m * 1e3, QStringLiteral("mm")),
+                            quantity(contact.y_m * 1e3, QStringLiteral("mm")),
+                            quantity(contact.area_m2 * 1e6, QStringLiteral("mm\u00b2")));
+    if (contact.shear)
+        //: Shear is the force along the surface; friction is it divided by the force into the surface
+        text +=
+            QLatin1Char('\n') + OverlayMaker::tr("Shear %1, friction %2")
+                                    .arg(quantity(std::hypot(contact.shear->x_N, contact.shear->y_N), unit),
+                                         QLocale().toString(contact.shear->friction, 'g', 3));
+    return text;
 }
 
 QString contactRows(const TouchScene& scene) {
-    QString text = QStringLiteral("time_s,contact_id,x_m,y_m,force_%1,peak_%1,area_m2\n")
-                       .arg(QString::fromStdString(core::columnUnit(scene.snapshot().loadUnit)));
+    const bool vectors = scene.snapshot().layout.isVector();
+    QString text = QStringLiteral("time_s");
+    for (const std::string& column : contact::contactColumns(scene.snapshot().loadUnit, vectors))
+        text += QLatin1Char(',') + QString::fromStdString(column);
+    text += QLatin1Char('\n');
     for (const ContactMark& mark : scene.marks()) {
         const contact::Contact& c = mark.contact;
         QStringList row = {QString::number(scene.snapshot().sourceTime_s, 'g', 12), QString::number(c.id)};
-        for (const double value : {c.x_m, c.y_m, c.force_N, c.peak_N, c.area_m2})
-            row += QString::number(value, 'g', 9);
+        for (const double value : contact::contactNumbers(c, vectors))
+            row += std::isnan(value) ? QStringLiteral("NA") : QString::number(value, 'g', 9);
         text += row.join(QLatin1Char(',')) + QLatin1Char('\n');
     }
     return text;

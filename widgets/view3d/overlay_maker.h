@@ -15,8 +15,7 @@ namespace teleta::view3d {
 
 /// Describes a contact, for its tool tip.
 [[nodiscard]] QString wordsFor(const contact::Contact& contact, const QString& unit);
-/// Contacts of an array as CSV: time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2, with the unit of the
-/// array in place of n (columnUnit()). C locale.
+/// Contacts of an array as CSV: time_s and contact::contactColumns(). C locale; NA: not told.
 [[nodiscard]] QString contactRows(const TouchScene& scene);
 
 /// Place of a world point in the picture, as shares of its width and height from the top left; empty behind

@@ -175,6 +175,11 @@ private slots:
         QTest::keyClick(&picture.view, Qt::Key_Right);
         QVERIFY2(picture.view.readout().simplified().contains(QStringLiteral("shear 0.50 N")),
                  qPrintable(picture.view.readout()));
+        QVERIFY2(picture.view.readout()
+                     .simplified()
+                     .replace(QChar(0xA0), QLatin1Char(' '))
+                     .contains(QStringLiteral("contact #1 with shear 0.50 N, friction 0.50")),
+                 qPrintable(picture.view.readout()));
         QVERIFY2(
             picture.csv().startsWith(QStringLiteral("row,column,x_m,y_m,load_n,shear_x_n,shear_y_n,dead,"
                                                     "contact_id\n0,0,0,0,1,0.300000012,-0.400000006,0,1\n")),

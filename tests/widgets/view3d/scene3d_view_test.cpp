@@ -584,6 +584,33 @@ private slots:
         QCOMPARE(countHue(shown(stage.view), words.front().slipColour[dark ? 1 : 0]), 0);
     }
 
+    void theShearOfAContactStandsInItsWordsAndItsRow() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        auto snapshot = test::pressed(kLayout, {{2, kLayout.x_m(10), kLayout.y_m(1), 1.0, 0.003}});
+        snapshot.layout = core::TaxelLayout(kLayout, 3);
+        snapshot.shearX_N.assign(kLayout.taxels(), 0.0F);
+        snapshot.shearY_N.assign(kLayout.taxels(), 0.0F);
+        QCOMPARE(snapshot.contacts.size(), std::size_t{1});
+        snapshot.contacts[0].shear = contact::ShearLoad{0.3, -0.4, 0.001, 0.25};
+        stage.view.setSnapshot(snapshot);
+        stage.settle();
+        QWidget* canvas = vtkOf(stage.view).focusProxy();
+        const QPoint there = (QPointF(pixelOf(stage.view, peakOf(kLayout.x_m(10), kLayout.y_m(1)))) /
+                              stage.view.devicePixelRatioF())
+                                 .toPoint();
+        QHelpEvent on(QEvent::ToolTip, there, canvas->mapToGlobal(there));
+        QApplication::sendEvent(canvas, &on);
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("Shear 0.5")), qPrintable(QToolTip::text()));
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("friction 0.25")), qPrintable(QToolTip::text()));
+        QToolTip::hideText();
+        const QString csv = stage.view.figure().csv();
+        QVERIFY2(csv.startsWith(QStringLiteral("time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2,shear_x_n,"
+                                               "shear_y_n,moment_z_nm,friction_ratio\n")),
+                 qPrintable(csv));
+        QVERIFY2(csv.trimmed().endsWith(QStringLiteral(",0.3,-0.4,0.001,0.25")), qPrintable(csv));
+    }
+
     void geometryIsSavedFromTheView() {
         Stage stage;
         QVERIFY(stage.ready());
