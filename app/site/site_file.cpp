@@ -53,8 +53,9 @@ app::SourceRequest readFile(TomlTable& table, const std::string& path) {
     else if (list->size() == 1)
         return std::move(list->front());
     else
-        table.fail("file", SiteFileText::tr("a site does not send this kind of device").toStdString(),
-                   SiteFileText::tr("the file of an arm, an array, a gel or a camera over ROS 2").toStdString());
+        table.fail(
+            "file", SiteFileText::tr("a site does not send this kind of device").toStdString(),
+            SiteFileText::tr("the file of an arm, an array, a gel or a camera over ROS 2").toStdString());
     return app::ArmRequest{path};
 }
 

@@ -39,7 +39,8 @@ using recording::StreamKind;
 
 const StreamInfo* findStream(const site_link::SiteClient& site, const std::string& device, StreamKind kind) {
     const auto found = std::ranges::find_if(site.streams(), [&](const StreamInfo& stream) {
-        return stream.kind == kind && site_link::deviceOf(stream) == device && !site_link::isGelAtRest(stream);
+        return stream.kind == kind && site_link::deviceOf(stream) == device &&
+               !site_link::isGelAtRest(stream);
     });
     return found == site.streams().end() ? nullptr : &*found;
 }

@@ -24,8 +24,8 @@
 namespace teleta::site_link {
 
 /// The device that a stream of the running system belongs to: "pad" of "pad-frames"; empty: it is not sent.
-/// Of other numbers than those of a device's own sensors only temperatures are; of grey pictures only those of
-/// gels with markers.
+/// Of other numbers than those of a device's own sensors only temperatures are; of grey pictures only those
+/// of gels with markers.
 [[nodiscard]] std::string deviceOf(const recording::StreamInfo& stream);
 
 /// Where such a stream is sent.

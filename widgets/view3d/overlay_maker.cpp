@@ -233,14 +233,13 @@ void OverlayMaker::addGelMarks(const TouchScene& scene, OverlayContent& content)
 void OverlayMaker::addGelLegend(const GelPart& gel, std::vector<LegendLine>& legend) {
     legend.push_back({tr("Gel: %1 \u00d7 %2").arg(millimetres(gel.width_m()), millimetres(gel.height_m()))});
     if (gel.hasDisplacements() || !gel.marks().empty())
-        legend.push_back(
-            {tr("Displacement, shear and turn \u00d7 %1").arg(QLocale().toString(gel.enlargement(), 'g', 3))});
+        legend.push_back({tr("Displacement, shear and turn \u00d7 %1")
+                              .arg(QLocale().toString(gel.enlargement(), 'g', 3))});
     if (gel.hasPresses())
-        legend.push_back(
-            {tr("Spread of the skin, longest arrow: %1")
-                 .arg(base::withUnit(QLocale().toString(1e6 * gel.spreadRange_m2(), 'g', 3),
-                                     QStringLiteral("mm\u00b2"))),
-             LegendLine::Arrow::straight});
+        legend.push_back({tr("Spread of the skin, longest arrow: %1")
+                              .arg(base::withUnit(QLocale().toString(1e6 * gel.spreadRange_m2(), 'g', 3),
+                                                  QStringLiteral("mm\u00b2"))),
+                          LegendLine::Arrow::straight});
 }
 
 QString wordsFor(const contact::Contact& contact, const QString& unit) {

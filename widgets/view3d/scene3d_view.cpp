@@ -536,8 +536,7 @@ bool Scene3dView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const Parts& parts = *m_parts;
-        const QString text =
-            wordsAt(parts.scene, parts.pointAt(parts.vtk->mapFromGlobal(help->globalPos())));
+        const QString text = wordsAt(parts.scene, parts.pointAt(parts.vtk->mapFromGlobal(help->globalPos())));
         text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
         return true;
     }

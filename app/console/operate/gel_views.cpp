@@ -20,10 +20,9 @@ std::vector<view3d::GelWords> wordsOf(const pipeline::GelSnapshot& snapshot) {
     using camera::GelPicture;
     std::vector<view3d::GelWords> words;
     for (const vision::GelContactState& contact : snapshot.contacts)
-        words.push_back(
-            {GelPicture::slipText(contact),
-             GelPicture::wordsFor(contact),
-             {GelPicture::slipColour(contact, false), GelPicture::slipColour(contact, true)}});
+        words.push_back({GelPicture::slipText(contact),
+                         GelPicture::wordsFor(contact),
+                         {GelPicture::slipColour(contact, false), GelPicture::slipColour(contact, true)}});
     return words;
 }
 

@@ -243,8 +243,7 @@ double GelContacts::loadNoise_m2(std::size_t markers) const {
 
 /// A disc about the centre with the spread's mean square radius, since shear adds to the divergence on one
 /// side and takes from it on the other.
-void GelContacts::findLoaded(const MarkerGel& gel, const GelContactState& contact,
-                             Followed& followed) const {
+void GelContacts::findLoaded(const MarkerGel& gel, const GelContactState& contact, Followed& followed) const {
     const std::vector<GelMotion>& motions = gel.motions();
     double most = 0.0;
     for (const std::size_t i : contact.markers)

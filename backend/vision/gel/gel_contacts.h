@@ -51,7 +51,7 @@ private:
             0.0; ///< sum of the divergence over the loaded markers when the motion was last counted anew
         double most_m2 = 0.0; ///< the largest of these sums, at which `loaded` was found
         std::vector<std::size_t> loaded;
-        std::vector<Eigen::Vector2d> start_m; ///< displacement of each marker of the gel then
+        std::vector<Eigen::Vector2d> start_m;               ///< displacement of each marker of the gel then
         Eigen::Vector2d centre_m = Eigen::Vector2d::Zero(); ///< of the load, when `loaded` was found
         double radius_m = 0.0;                              ///< likewise; 0: it spreads the skin nowhere
     };
@@ -71,7 +71,7 @@ private:
     void findLoaded(const MarkerGel& gel, const GelContactState& contact, Followed& followed) const;
     /// What the markers did since the motion was last counted anew.
     struct Moved {
-        std::vector<ContactPlace> places; ///< the loaded markers first
+        std::vector<ContactPlace> places;      ///< the loaded markers first
         std::vector<Eigen::Vector2d> spread_m; ///< displacement of each when the count began
         std::size_t loaded = 0;
     };

@@ -40,7 +40,8 @@ std::shared_ptr<core::StreamTap> PictureSender::add(dds::AnyWriter writer, const
                                                     SentPicture kind) {
     auto tap = std::make_shared<core::StreamTap>(kTapPictures);
     const std::scoped_lock lock(m_mutex);
-    m_cameras.push_back(std::make_unique<Camera>(Camera{tap, std::move(writer), PictureBudget(settings), kind}));
+    m_cameras.push_back(
+        std::make_unique<Camera>(Camera{tap, std::move(writer), PictureBudget(settings), kind}));
     if (!m_thread.joinable())
         m_thread = std::thread([this] { run(); });
     return tap;

@@ -36,7 +36,8 @@ public:
     PictureSender(const PictureSender&) = delete;
     PictureSender& operator=(const PictureSender&) = delete;
 
-    /// A camera whose pictures the tap takes. writer: of ros::ImageFrame, which keeps one that shows the rest.
+    /// A camera whose pictures the tap takes. writer: of ros::ImageFrame, which keeps one that shows the
+    /// rest.
     [[nodiscard]] std::shared_ptr<core::StreamTap> add(dds::AnyWriter writer, const PictureSettings& settings,
                                                        SentPicture kind = SentPicture::colour);
     /// Why the last picture of any camera could not be coded; nothing: it could, or none was.

@@ -43,8 +43,7 @@ public:
 private:
     friend core::DeviceThread<RemoteCamera>;
     RemoteCamera(std::shared_ptr<SiteClient> site, core::CameraDescription description,
-                 dds::Reader<ros::ImageFrame> reader,
-                 std::optional<dds::Reader<ros::ImageFrame>> restReader);
+                 dds::Reader<ros::ImageFrame> reader, std::optional<dds::Reader<ros::ImageFrame>> restReader);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A flat gel at a site: its consoles follow its markers in the pictures that they get, from the places at rest
-// that the site took.
+// A flat gel at a site: its consoles follow its markers in the pictures that they get, from the places at
+// rest that the site took.
 #include "app/sources/site_request.h"
 #include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
@@ -35,9 +35,8 @@ std::string devices(int quality) {
 
 void writeGel(SiteProcess& site) {
     ASSERT_TRUE(test::writeGelVideo(site.folder().filePath("press.avi").toStdString(), kFrames));
-    std::ofstream(site.folder().filePath("gel.toml").toStdString())
-        << "source = \"press.avi\"\n"
-        << test::kGelFile;
+    std::ofstream(site.folder().filePath("gel.toml").toStdString()) << "source = \"press.avi\"\n"
+                                                                    << test::kGelFile;
 }
 
 std::shared_ptr<pipeline::GelChannel> openGel(const TestConsole& console) {
@@ -57,10 +56,8 @@ struct Errors {
 /// Against how the video was made: frame n drags the gel by so much from its rest.
 void add(const pipeline::GelSnapshot& shown, int frame, Errors& errors) {
     const double dragged_px = test::kDraggedPerFrame_px * std::max(0, frame - test::kStillFrames + 1);
-    const simulation::GelContact contact{.centre_m = {160.0, 120.0},
-                                         .radius_m = 70.0,
-                                         .slip_m = {2.0 * dragged_px, 0.0},
-                                         .stick = 0.70710678};
+    const simulation::GelContact contact{
+        .centre_m = {160.0, 120.0}, .radius_m = 70.0, .slip_m = {2.0 * dragged_px, 0.0}, .stick = 0.70710678};
     for (std::size_t i = 0; i < shown.markers.size(); ++i) {
         if (!shown.motions[i].found)
             continue;

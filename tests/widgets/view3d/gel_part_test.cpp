@@ -36,7 +36,8 @@ std::vector<Eigen::AlignedBox3d> boxesOf(const TouchScene& scene) {
 }
 
 /// Around the meshes that a switch takes away.
-template <typename Switch> Eigen::AlignedBox3d switched(TouchScene& scene, Switch set) {
+template <typename Switch>
+Eigen::AlignedBox3d switched(TouchScene& scene, Switch set) {
     const std::vector<Eigen::AlignedBox3d> all = boxesOf(scene);
     set(scene, false);
     const std::vector<Eigen::AlignedBox3d> fewer = boxesOf(scene);

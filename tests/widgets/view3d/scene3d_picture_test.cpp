@@ -192,8 +192,8 @@ void showGel(Scene3dView& view) {
     vision::GelContactState& contact = snapshot.contacts.front();
     contact.shearProxy_m = {6e-4, 2e-4};
     contact.torsion_rad = 0.3;
-    const std::array words{
-        view3d::GelWords{QStringLiteral("slip 0.42"), QString(), {QColor(184, 134, 11), QColor(255, 200, 0)}}};
+    const std::array words{view3d::GelWords{
+        QStringLiteral("slip 0.42"), QString(), {QColor(184, 134, 11), QColor(255, 200, 0)}}};
     view.setGel(&snapshot, 4.0, words);
 }
 

@@ -215,10 +215,9 @@ void GelPart::drawMarkers() {
             continue;
         const double share = std::clamp(moved_m / longest_m, 0.0, 1.0);
         const double height_m = 2.0 * lift_m + kShaft * m_pitch_m;
-        m_displacements.arrow(at(rest_m, height_m),
-                              at(rest_m + m_enlargement * motion.displacement_m, height_m),
-                              kShaft * m_pitch_m, kHead * m_pitch_m,
-                              base::colourAt(base::cividis(), 0.45 + 0.55 * share));
+        m_displacements.arrow(
+            at(rest_m, height_m), at(rest_m + m_enlargement * motion.displacement_m, height_m),
+            kShaft * m_pitch_m, kHead * m_pitch_m, base::colourAt(base::cividis(), 0.45 + 0.55 * share));
     }
 }
 
@@ -262,13 +261,11 @@ void GelPart::drawContact(const vision::GelContactState& contact, const GelWords
     if (shear_m.allFinite() && shear_m.norm() > mark_m)
         m_presses.arrow(mark.p_Sensor_Foot, mark.p_Sensor_Foot + at(shear_m, 0.0), kThickShaft * m_pitch_m,
                         kThickHead * m_pitch_m, mark.colour.rgb());
-    const double turn_rad =
-        std::clamp(m_enlargement * contact.torsion_rad, -kMostTurn_rad, kMostTurn_rad);
+    const double turn_rad = std::clamp(m_enlargement * contact.torsion_rad, -kMostTurn_rad, kMostTurn_rad);
     if (std::abs(turn_rad) > kLeastTurn_rad) {
         const Eigen::Vector3d centre = mark.p_Sensor_Foot + 0.5 * mark_m * Eigen::Vector3d::UnitZ();
-        m_turns.turn(centre, Eigen::Vector3d::UnitZ(),
-                     centre + kTurn * m_pitch_m * Eigen::Vector3d::UnitX(), turn_rad,
-                     kThickShaft * m_pitch_m, kThickHead * m_pitch_m, mark.colour.rgb());
+        m_turns.turn(centre, Eigen::Vector3d::UnitZ(), centre + kTurn * m_pitch_m * Eigen::Vector3d::UnitX(),
+                     turn_rad, kThickShaft * m_pitch_m, kThickHead * m_pitch_m, mark.colour.rgb());
     }
     m_marks.push_back(std::move(mark));
 }

@@ -120,8 +120,8 @@ public:
     }
     [[nodiscard]] const Eigen::Isometry3d& X_World_Sensor() const { return m_X_World_Sensor; }
     [[nodiscard]] bool isEmpty() const {
-        return !m_hasSensor && !m_tube.isShown() && !m_gel.isShown() && contourBox_m().isEmpty() && armBox_m().isEmpty() &&
-               m_objects.objects().empty();
+        return !m_hasSensor && !m_tube.isShown() && !m_gel.isShown() && contourBox_m().isEmpty() &&
+               armBox_m().isEmpty() && m_objects.objects().empty();
     }
 
     /// Corners of everything the camera should show, in the world frame. Independent of the loads. Never
