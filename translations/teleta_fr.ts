@@ -7068,7 +7068,9 @@ Exemples&#xa0;:
     <name>OverlayMaker</name>
     <message>
         <source>%1: %2</source>
-        <extracomment>A contact in the 3-D view: its number and its force</extracomment>
+        <extracomment>A contact in the 3-D view: its number and its force
+----------
+A contact on a gel in the 3-D view: its number and how much of it slips</extracomment>
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
@@ -7147,6 +7149,18 @@ Aire %6</translation>
     <message>
         <source>At the wrist: %1</source>
         <translation>Au poignet&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Gel: %1 × %2</source>
+        <translation>Gel&#xa0;: %1 × %2</translation>
+    </message>
+    <message>
+        <source>Displacement, shear and turn × %1</source>
+        <translation>Déplacement, cisaillement et rotation × %1</translation>
+    </message>
+    <message>
+        <source>Spread of the skin, longest arrow: %1</source>
+        <translation>Étalement de la peau, flèche la plus longue&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -8615,6 +8629,10 @@ Run %2 --help for more.
     <message>
         <source>it is not a picture in colour</source>
         <translation>ce n’est pas une image en couleur</translation>
+    </message>
+    <message>
+        <source>it is no gel with markers</source>
+        <translation>ce n’est pas un gel à marqueurs</translation>
     </message>
 </context>
 <context>
@@ -10917,20 +10935,20 @@ Run %2 --help for more.
         <translation>un id unique pour chaque appareil</translation>
     </message>
     <message>
-        <source>the file of an arm, an array or a camera over ROS 2</source>
-        <translation>le fichier d’un bras, d’une matrice ou d’une caméra par ROS 2</translation>
-    </message>
-    <message>
-        <source>file, wts, taxels, scene or scene_camera</source>
-        <translation>file, wts, taxels, scene ou scene_camera</translation>
-    </message>
-    <message>
         <source>a pose needs a frame</source>
         <translation>une pose exige un repère</translation>
     </message>
     <message>
         <source>frame = &quot;the link of the arm&quot;</source>
         <translation>frame = &quot;le segment du bras&quot;</translation>
+    </message>
+    <message>
+        <source>the file of an arm, an array, a gel or a camera over ROS 2</source>
+        <translation>le fichier d’un bras, d’une matrice, d’un gel ou d’une caméra par ROS 2</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels, gel, scene or scene_camera</source>
+        <translation>file, wts, taxels, gel, scene ou scene_camera</translation>
     </message>
 </context>
 <context>

@@ -7050,7 +7050,9 @@ Examples:
     <name>OverlayMaker</name>
     <message>
         <source>%1: %2</source>
-        <extracomment>A contact in the 3-D view: its number and its force</extracomment>
+        <extracomment>A contact in the 3-D view: its number and its force
+----------
+A contact on a gel in the 3-D view: its number and how much of it slips</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -7129,6 +7131,18 @@ x %4, y %5
     <message>
         <source>At the wrist: %1</source>
         <translation>手首: %1</translation>
+    </message>
+    <message>
+        <source>Gel: %1 × %2</source>
+        <translation>ゲル: %1 × %2</translation>
+    </message>
+    <message>
+        <source>Displacement, shear and turn × %1</source>
+        <translation>変位、せん断、回転 × %1</translation>
+    </message>
+    <message>
+        <source>Spread of the skin, longest arrow: %1</source>
+        <translation>皮膚の広がり、最長の矢印: %1</translation>
     </message>
 </context>
 <context>
@@ -8595,6 +8609,10 @@ Run %2 --help for more.
     <message>
         <source>it is not a picture in colour</source>
         <translation>カラーの画像ではありません</translation>
+    </message>
+    <message>
+        <source>it is no gel with markers</source>
+        <translation>マーカー付きのゲルではありません</translation>
     </message>
 </context>
 <context>
@@ -10891,20 +10909,20 @@ Run %2 --help for more.
         <translation>装置ごとに異なる id</translation>
     </message>
     <message>
-        <source>the file of an arm, an array or a camera over ROS 2</source>
-        <translation>ROS 2のアーム、アレイ、カメラのいずれかのファイル</translation>
-    </message>
-    <message>
-        <source>file, wts, taxels, scene or scene_camera</source>
-        <translation>file、wts、taxels、scene、scene_cameraのいずれか</translation>
-    </message>
-    <message>
         <source>a pose needs a frame</source>
         <translation>姿勢には座標系が必要です</translation>
     </message>
     <message>
         <source>frame = &quot;the link of the arm&quot;</source>
         <translation>frame = &quot;アームのリンク&quot;</translation>
+    </message>
+    <message>
+        <source>the file of an arm, an array, a gel or a camera over ROS 2</source>
+        <translation>アーム、アレイ、ゲル、またはROS 2のカメラのファイル</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels, gel, scene or scene_camera</source>
+        <translation>file、wts、taxels、gel、scene、scene_cameraのいずれか</translation>
     </message>
 </context>
 <context>

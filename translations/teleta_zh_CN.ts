@@ -7050,7 +7050,9 @@ Examples:
     <name>OverlayMaker</name>
     <message>
         <source>%1: %2</source>
-        <extracomment>A contact in the 3-D view: its number and its force</extracomment>
+        <extracomment>A contact in the 3-D view: its number and its force
+----------
+A contact on a gel in the 3-D view: its number and how much of it slips</extracomment>
         <translation>%1：%2</translation>
     </message>
     <message>
@@ -7129,6 +7131,18 @@ x %4，y %5
     <message>
         <source>At the wrist: %1</source>
         <translation>腕部：%1</translation>
+    </message>
+    <message>
+        <source>Gel: %1 × %2</source>
+        <translation>凝胶：%1 × %2</translation>
+    </message>
+    <message>
+        <source>Displacement, shear and turn × %1</source>
+        <translation>位移、剪切和转动 × %1</translation>
+    </message>
+    <message>
+        <source>Spread of the skin, longest arrow: %1</source>
+        <translation>皮肤张开，最长箭头：%1</translation>
     </message>
 </context>
 <context>
@@ -8595,6 +8609,10 @@ Run %2 --help for more.
     <message>
         <source>it is not a picture in colour</source>
         <translation>不是彩色图像</translation>
+    </message>
+    <message>
+        <source>it is no gel with markers</source>
+        <translation>它不是带标记的凝胶</translation>
     </message>
 </context>
 <context>
@@ -10891,20 +10909,20 @@ Run %2 --help for more.
         <translation>每个设备唯一的 id</translation>
     </message>
     <message>
-        <source>the file of an arm, an array or a camera over ROS 2</source>
-        <translation>通过 ROS 2 的机械臂、阵列或相机的文件</translation>
-    </message>
-    <message>
-        <source>file, wts, taxels, scene or scene_camera</source>
-        <translation>file、wts、taxels、scene 或 scene_camera</translation>
-    </message>
-    <message>
         <source>a pose needs a frame</source>
         <translation>位姿需要坐标系</translation>
     </message>
     <message>
         <source>frame = &quot;the link of the arm&quot;</source>
         <translation>frame = &quot;机械臂的连杆&quot;</translation>
+    </message>
+    <message>
+        <source>the file of an arm, an array, a gel or a camera over ROS 2</source>
+        <translation>机械臂、阵列、凝胶或 ROS 2 相机的文件</translation>
+    </message>
+    <message>
+        <source>file, wts, taxels, gel, scene or scene_camera</source>
+        <translation>file、wts、taxels、gel、scene 或 scene_camera</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ constexpr double kLoadedShare = 0.25; ///< of the largest divergence
 constexpr double kLoadChanges = 0.25;
 constexpr double kRadial = 0.5; ///< sum of displacements over sum of their sizes, below which they spread
 constexpr double kLoadNoises = 3.0;
+constexpr double kGrowthSd = 0.3; ///< the spread grows in proportion to itself but for this share
 
 /// Of at least three points.
 std::vector<Eigen::Vector2d> hullOf(const std::vector<Eigen::Vector2d>& points) {
@@ -357,8 +358,13 @@ std::optional<double> GelContacts::slipOf(const MarkerGel& gel, const Followed& 
     Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& spread : spread_m)
         mean_m += spread / static_cast<double>(spread_m.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        places[i].moved_m -= growth * (moved.spread_m[i] - mean_m);
+    double taken_m2 = 0.0; // mean square of what is taken off
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Eigen::Vector2d grown_m = growth * (moved.spread_m[i] - mean_m);
+        places[i].moved_m -= grown_m;
+        if (i < moved.loaded)
+            taken_m2 += grown_m.squaredNorm() / static_cast<double>(moved.loaded);
+    }
     const double noise_m = gel.scale_m() * std::max(kHiddenSlipNoise_px, gel.noise_px());
     const auto motion = sharedMotion(loaded, noise_m);
     if (!motion)
@@ -368,7 +374,8 @@ std::optional<double> GelContacts::slipOf(const MarkerGel& gel, const Followed& 
     // Fewer are too coarse for a ring: they would tell by 0.2 and more too little.
     if (loaded.size() < kLeastRingPlaces)
         return std::nullopt;
-    return slippingRing(places, followed.centre_m, followed.radius_m, noise_m).value_or(motion->slipShare);
+    const double unknown_m = std::hypot(noise_m, kGrowthSd * std::sqrt(taken_m2));
+    return slippingRing(places, followed.centre_m, followed.radius_m, unknown_m).value_or(motion->slipShare);
 }
 
 } // namespace teleta::vision

@@ -23,6 +23,8 @@ constexpr int kTableSize = static_cast<int>(kRingReach / kSmallestRadius / kTabl
 constexpr double kLawSd = 0.01;
 /// Mean square of what the law leaves, over what it may.
 constexpr double kMostLeft = 9.0;
+/// Squares that a ring must explain beyond what no ring does, over the mean square that is left.
+constexpr double kLeastExplained = 16.0;
 
 /// Displacement on the surface under the traction of full slip, at a distance in radii of the load; 1 in the
 /// middle.
@@ -114,6 +116,7 @@ std::optional<double> slippingRing(std::span<const ContactPlace> places, const E
     }
     const double may_m2 = noise_m * noise_m + kLawSd * kLawSd * furthest_m * furthest_m;
     Fit best;
+    double unslippedCost = std::numeric_limits<double>::infinity();
     for (int r = 0; r < kRadii; ++r) {
         const double factor = kSmallestRadius + kRadiusStep * r;
         const double off = (factor - 1.0) / kRadiusSd;
@@ -127,13 +130,16 @@ std::optional<double> slippingRing(std::span<const ContactPlace> places, const E
             }
             const double left_m2 = all_m2 - both_m * both_m / law2;
             const double cost = left_m2 / may_m2 + off * off;
+            if (share == 0)
+                unslippedCost = std::min(unslippedCost, cost);
             if (cost < best.cost)
                 best = {static_cast<double>(share) / kShares, cost, left_m2};
         }
     }
-    if (best.left_m2 > kMostLeft * may_m2 * static_cast<double>(went_m.size()))
+    const double left = best.left_m2 / (may_m2 * static_cast<double>(went_m.size()));
+    if (left > kMostLeft)
         return std::nullopt;
-    return best.share;
+    return unslippedCost - best.cost > kLeastExplained * std::max(1.0, left) ? best.share : 0.0;
 }
 
 } // namespace teleta::vision

@@ -13,28 +13,28 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr double kOutline_px = 3.0;
-constexpr double kMargin = 0.05; ///< around the markers, where the lens shows no corner
+constexpr double kGelOutline_px = 3.0;
+constexpr double kGelMargin = 0.05; ///< around the markers, where the lens shows no corner
 // In diagonals of the plane.
-constexpr double kThickness = 0.05;
-constexpr double kLift = 0.002; ///< of what lies on the skin
-constexpr double kLongestPress = 0.2;
+constexpr double kGelThickness = 0.05;
+constexpr double kGelLift = 0.002; ///< of what lies on the skin
+constexpr double kGelLongestPress = 0.2;
 // In pitches of the markers.
-constexpr double kDot = 0.13;
-constexpr double kCross = 0.2;
-constexpr double kShaft = 0.045;
-constexpr double kHead = 0.22;
-constexpr double kMark = 0.32;
-constexpr double kThickShaft = 0.11;
-constexpr double kThickHead = 0.6;
-constexpr double kTurn = 1.6;
+constexpr double kGelDot = 0.13;
+constexpr double kGelCross = 0.2;
+constexpr double kGelShaft = 0.045;
+constexpr double kGelHead = 0.22;
+constexpr double kGelMark = 0.32;
+constexpr double kGelThickShaft = 0.11;
+constexpr double kGelThickHead = 0.6;
+constexpr double kGelTurn = 1.6;
 /// Of a marker's own area: how much the skin spreads at least under the longest arrow.
-constexpr double kLeastSpread = 0.1;
-constexpr double kLeastShare = 0.02;
-constexpr double kLeastTurn_rad = 2.0 * std::numbers::pi / 180.0;
-constexpr double kMostTurn_rad = 300.0 * std::numbers::pi / 180.0;
+constexpr double kGelLeastSpread = 0.1;
+constexpr double kGelLeastShare = 0.02;
+constexpr double kGelLeastTurn_rad = 2.0 * std::numbers::pi / 180.0;
+constexpr double kGelMostTurn_rad = 300.0 * std::numbers::pi / 180.0;
 
-Eigen::Vector3d at(const Eigen::Vector2d& place_m, double height_m) {
+Eigen::Vector3d raised(const Eigen::Vector2d& place_m, double height_m) {
     return {place_m.x(), place_m.y(), height_m};
 }
 
@@ -58,7 +58,7 @@ std::array<Eigen::Vector2d, 4> cornersAround(const std::vector<vision::GelMarker
     Eigen::AlignedBox2d box;
     for (const vision::GelMarker& marker : markers)
         box.extend(marker.rest_m);
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * box.diagonal().norm());
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kGelMargin * box.diagonal().norm());
     const Eigen::Vector2d low = box.min() - margin;
     const Eigen::Vector2d high = box.max() + margin;
     return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
@@ -86,7 +86,7 @@ void GelPart::applyColours(const SceneColours& colours) {
 }
 
 void GelPart::applyPixelScale(double scale) {
-    m_lines.setLineWidth(kOutline_px, scale);
+    m_lines.setLineWidth(kGelOutline_px, scale);
 }
 
 void GelPart::setDisplacementShown(bool shown) {
@@ -133,8 +133,8 @@ bool GelPart::set(const pipeline::GelSnapshot& snapshot, double enlargement,
         m_corners_m = corners_m;
         m_pitch_m = pitch_m;
         m_size_m = (corners_m[2] - corners_m[0]).norm();
-        m_spreadRange = base::CalmRange(kLeastSpread * pitch_m * pitch_m);
-        m_X_World_Sensor.translation() = -at(0.5 * (corners_m[0] + corners_m[2]), 0.0);
+        m_spreadRange = base::CalmRange(kGelLeastSpread * pitch_m * pitch_m);
+        m_X_World_Sensor.translation() = -raised(0.5 * (corners_m[0] + corners_m[2]), 0.0);
         setMatrix(*m_pose, m_X_World_Sensor);
         rebuildBody();
     }
@@ -163,8 +163,8 @@ void GelPart::rebuildBody() {
     std::array<Eigen::Vector3d, 4> top;
     std::array<Eigen::Vector3d, 4> bottom;
     for (std::size_t i = 0; i < top.size(); ++i) {
-        top[i] = at(m_corners_m[i], 0.0);
-        bottom[i] = at(m_corners_m[i], -kThickness * m_size_m);
+        top[i] = raised(m_corners_m[i], 0.0);
+        bottom[i] = raised(m_corners_m[i], -kGelThickness * m_size_m);
     }
     m_skin.quad(top[0], top[1], top[2], top[3], m_colours.cylinder.rgb());
     m_skin.quad(bottom[3], bottom[2], bottom[1], bottom[0], m_colours.slab.rgb());
@@ -188,7 +188,7 @@ void GelPart::rebuild() {
 }
 
 void GelPart::drawMarkers() {
-    const double lift_m = kLift * m_size_m;
+    const double lift_m = kGelLift * m_size_m;
     const QColor dot = base::mixed(m_colours.cylinder, m_colours.text, 0.7);
     double longest_m = 10.0 * kLeastArrow * m_snapshot.noise_m;
     for (const vision::GelMotion& motion : m_snapshot.motions)
@@ -202,33 +202,34 @@ void GelPart::drawMarkers() {
             continue;
         if (m_snapshot.usable && !motion.found) {
             // A cross where a marker was lost.
-            const double arm_m = kCross * m_pitch_m;
+            const double arm_m = kGelCross * m_pitch_m;
             for (const double side : {1.0, -1.0})
-                m_lines.segment(at(rest_m + Eigen::Vector2d(-arm_m, -side * arm_m), 2.0 * lift_m),
-                                at(rest_m + Eigen::Vector2d(arm_m, side * arm_m), 2.0 * lift_m),
+                m_lines.segment(raised(rest_m + Eigen::Vector2d(-arm_m, -side * arm_m), 2.0 * lift_m),
+                                raised(rest_m + Eigen::Vector2d(arm_m, side * arm_m), 2.0 * lift_m),
                                 m_colours.deadCross.rgb());
             continue;
         }
-        m_dots.cone(at(rest_m, 0.0), at(rest_m, 1.5 * lift_m), kDot * m_pitch_m, kDot * m_pitch_m, dot.rgb());
+        m_dots.cone(raised(rest_m, 0.0), raised(rest_m, 1.5 * lift_m), kGelDot * m_pitch_m, kGelDot * m_pitch_m, dot.rgb());
         const double moved_m = motion.displacement_m.norm();
         if (!motion.found || !(moved_m >= kLeastArrow * m_snapshot.noise_m))
             continue;
         const double share = std::clamp(moved_m / longest_m, 0.0, 1.0);
-        const double height_m = 2.0 * lift_m + kShaft * m_pitch_m;
-        m_displacements.arrow(
-            at(rest_m, height_m), at(rest_m + m_enlargement * motion.displacement_m, height_m),
-            kShaft * m_pitch_m, kHead * m_pitch_m, base::colourAt(base::cividis(), 0.45 + 0.55 * share));
+        const double height_m = 2.0 * lift_m + kGelShaft * m_pitch_m;
+        m_displacements.arrow(raised(rest_m, height_m),
+                              raised(rest_m + m_enlargement * motion.displacement_m, height_m),
+                              kGelShaft * m_pitch_m, kGelHead * m_pitch_m,
+                              base::colourAt(base::cividis(), 0.45 + 0.55 * share));
     }
 }
 
 void GelPart::drawContact(const vision::GelContactState& contact, const GelWords& words) {
-    const double lift_m = kLift * m_size_m;
-    const double mark_m = kMark * m_pitch_m;
+    const double lift_m = kGelLift * m_size_m;
+    const double mark_m = kGelMark * m_pitch_m;
     GelMark mark;
     mark.id = contact.id;
     mark.colour = base::identityColour(std::max(1, contact.id), m_colours.dark);
     mark.words = words;
-    mark.p_Sensor_Foot = at(contact.centre_m, lift_m);
+    mark.p_Sensor_Foot = raised(contact.centre_m, lift_m);
     mark.p_Sensor_Tail = mark.p_Sensor_Foot;
 
     const QColor fill = base::mixed(m_colours.cylinder, mark.colour, 0.35);
@@ -241,9 +242,9 @@ void GelPart::drawContact(const vision::GelContactState& contact, const GelWords
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const Eigen::Vector2d& a = outline[i];
             const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
-            m_solids.quad(at(middle_m, 0.5 * lift_m), at(a, 0.5 * lift_m), at(0.5 * (a + b), 0.5 * lift_m),
-                          at(b, 0.5 * lift_m), fill.rgb());
-            m_line.push_back(at(a, lift_m));
+            m_solids.quad(raised(middle_m, 0.5 * lift_m), raised(a, 0.5 * lift_m), raised(0.5 * (a + b), 0.5 * lift_m),
+                          raised(b, 0.5 * lift_m), fill.rgb());
+            m_line.push_back(raised(a, lift_m));
         }
         m_lines.polyline(m_line, mark.colour.rgb(), true);
     }
@@ -251,21 +252,23 @@ void GelPart::drawContact(const vision::GelContactState& contact, const GelWords
     m_solids.sphere(mark.p_Sensor_Foot, mark_m, slip.isValid() ? slip.rgb() : mark.colour.rgb());
 
     const double share = std::min(1.0, contact.normalProxy_m2 / m_spreadRange.high());
-    if (share > kLeastShare) {
+    if (share > kGelLeastShare) {
         const Eigen::Vector3d head = mark.p_Sensor_Foot + mark_m * Eigen::Vector3d::UnitZ();
-        mark.p_Sensor_Tail = head + share * kLongestPress * m_size_m * Eigen::Vector3d::UnitZ();
-        m_presses.arrow(mark.p_Sensor_Tail, head, kThickShaft * m_pitch_m, kThickHead * m_pitch_m,
+        mark.p_Sensor_Tail = head + share * kGelLongestPress * m_size_m * Eigen::Vector3d::UnitZ();
+        m_presses.arrow(mark.p_Sensor_Tail, head, kGelThickShaft * m_pitch_m, kGelThickHead * m_pitch_m,
                         mark.colour.rgb());
     }
     const Eigen::Vector2d shear_m = m_enlargement * contact.shearProxy_m;
     if (shear_m.allFinite() && shear_m.norm() > mark_m)
-        m_presses.arrow(mark.p_Sensor_Foot, mark.p_Sensor_Foot + at(shear_m, 0.0), kThickShaft * m_pitch_m,
-                        kThickHead * m_pitch_m, mark.colour.rgb());
-    const double turn_rad = std::clamp(m_enlargement * contact.torsion_rad, -kMostTurn_rad, kMostTurn_rad);
-    if (std::abs(turn_rad) > kLeastTurn_rad) {
+        m_presses.arrow(mark.p_Sensor_Foot, mark.p_Sensor_Foot + raised(shear_m, 0.0), kGelThickShaft * m_pitch_m,
+                        kGelThickHead * m_pitch_m, mark.colour.rgb());
+    const double turn_rad =
+        std::clamp(m_enlargement * contact.torsion_rad, -kGelMostTurn_rad, kGelMostTurn_rad);
+    if (std::abs(turn_rad) > kGelLeastTurn_rad) {
         const Eigen::Vector3d centre = mark.p_Sensor_Foot + 0.5 * mark_m * Eigen::Vector3d::UnitZ();
-        m_turns.turn(centre, Eigen::Vector3d::UnitZ(), centre + kTurn * m_pitch_m * Eigen::Vector3d::UnitX(),
-                     turn_rad, kThickShaft * m_pitch_m, kThickHead * m_pitch_m, mark.colour.rgb());
+        m_turns.turn(centre, Eigen::Vector3d::UnitZ(),
+                     centre + kGelTurn * m_pitch_m * Eigen::Vector3d::UnitX(), turn_rad,
+                     kGelThickShaft * m_pitch_m, kGelThickHead * m_pitch_m, mark.colour.rgb());
     }
     m_marks.push_back(std::move(mark));
 }
@@ -275,8 +278,8 @@ Eigen::AlignedBox3d GelPart::box_m() const {
     if (!m_shown)
         return box;
     for (const Eigen::Vector2d& corner : m_corners_m) {
-        box.extend(m_X_World_Sensor * at(corner, -kThickness * m_size_m));
-        box.extend(m_X_World_Sensor * at(corner, kMark * m_pitch_m + 0.4 * kLongestPress * m_size_m));
+        box.extend(m_X_World_Sensor * raised(corner, -kGelThickness * m_size_m));
+        box.extend(m_X_World_Sensor * raised(corner, kGelMark * m_pitch_m + 0.4 * kGelLongestPress * m_size_m));
     }
     return box;
 }
