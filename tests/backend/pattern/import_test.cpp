@@ -296,6 +296,48 @@ TEST(HjifImport, channelsBeyondTheTactorsAndOtherModalitiesAreCounted) {
     EXPECT_EQ(lost(warm, LossKind::modality), 1U);
 }
 
+/// As 5G-MAG/rt-v3c-content has it at 183d4c3 (S41C2RAR05_footprod.hjif): one square pulse on a channel "Left"
+/// of no stated sense.
+TEST(HjifImport, aPulseOfAPlayerForTelephonesIsRead) {
+    json pulse = effect("Basis", 533, {keyframe(0, 1.0), keyframe(100, 1.0)});
+    pulse["phase"] = 0.0;
+    pulse["base_signal"] = "Square";
+    json left = channel("VectorialWave", json::array({pulse}));
+    left["description"] = "Left";
+    left["mixing_coefficient"] = 1.0;
+    left["body_part_mask"] = 0;
+    const json root{
+        {"version", "2023"},
+        {"timescale", 1000},
+        {"avatars", json::array()},
+        {"perceptions",
+         {{{"perception_modality", "Other"}, {"effect_library", json::array()}, {"channels", {left}}}}},
+        {"syncs", json::array()}};
+    const auto import = patternFromHjif(root.dump(), "p.hjif");
+    ASSERT_TRUE(import) << describe(import.error());
+    EXPECT_EQ(lost(import, LossKind::modality), 0U);
+    EXPECT_EQ(lost(import, LossKind::frequency), 0U) << "it has none";
+    EXPECT_NEAR(import->pattern.duration_s, 0.633, 1e-9);
+    EXPECT_EQ(evaluate(import->pattern, 0.3), (Intensities{}));
+    EXPECT_EQ(evaluate(import->pattern, 0.58), (Intensities{1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
+}
+
+/// As the reference encoder writes IVS files (010_Bounce100 at 27f9bab): the amplitude at the end is 0 but for
+/// the last step of its coding, below it, and a keyframe has no frequency.
+TEST(HjifImport, aDecayThatIsCodedBelowZeroEndsCloseToIt) {
+    json first = keyframe(0, 1.0);
+    first["frequency_modulation"] = 500;
+    json last = keyframe(120, -0.003921568393707275);
+    last["frequency_modulation"] = 500;
+    const auto import = readHjif(json::array(
+        {channel("VectorialWave", json::array({effect("Basis", 0, {first, keyframe(20, 1.0), last})}))}));
+    ASSERT_TRUE(import) << describe(import.error());
+    EXPECT_EQ(lost(import, LossKind::frequency), 2U);
+    EXPECT_NEAR(evaluate(import->pattern, 0.01)[0], 1.0, 1e-9);
+    EXPECT_NEAR(evaluate(import->pattern, 0.07)[0], 0.5, 0.003);
+    EXPECT_NEAR(evaluate(import->pattern, 0.12)[0], 0.0, 0.004);
+}
+
 TEST(HjifImport, compositionsEndSomewhere) {
     json composed = effect("Composite", 0, json::array());
     composed["id"] = 1;
