@@ -93,6 +93,25 @@ def test_the_program_computes_the_same_from_npz_as_from_csv(program, indenter, t
     assert program("contacts", tmp_path / "a.npz") == program("contacts", name)
 
 
+def test_vectors_and_places_are_exported_and_read_back(program, tmp_path):
+    layout, recording, npz = tmp_path / "skin.toml", tmp_path / "skin.teleta", tmp_path / "skin.npz"
+    layout.write_text(
+        '[layout]\ncomponents = 3\nunit = "N"\naxes = ["+x", "-y", "-z"]\npositions_mm = [[-7, -4], [5, -3], [0, 6]]\n'
+    )
+    values = np.random.default_rng(5).normal(size=(4, 3, 3)).astype("f4")
+    np.savez(tmp_path / "raw.npz", frames=values, time_s=np.arange(4) / 8.0)
+    program("import", tmp_path / "raw.npz", "--layout", layout, "--out", recording)
+    program("export", recording, "--npz", npz)
+    written = np.load(npz)
+    np.testing.assert_array_equal(written["frames"], values * np.array([1, -1, -1], dtype="f4"))
+    np.testing.assert_array_equal(written["time_s"], np.arange(4) / 8.0)
+    # The middle of the box around the places is the origin.
+    places_m = np.array([[-6, -5, 0], [6, -4, 0], [1, 5, 0]]) / 1000.0
+    np.testing.assert_allclose(written["positions_m"], places_m, atol=1e-12)
+    printed = [program("contacts", file, "--layout", layout) for file in (tmp_path / "raw.npz", npz)]
+    assert printed[0] == printed[1]
+
+
 def test_the_rest_is_taken_from_the_recording(program, tmp_path):
     frames = balls(41, 6, 14)
     frames[:30] = 0.0

@@ -296,8 +296,8 @@ TEST(HjifImport, channelsBeyondTheTactorsAndOtherModalitiesAreCounted) {
     EXPECT_EQ(lost(warm, LossKind::modality), 1U);
 }
 
-/// As 5G-MAG/rt-v3c-content has it at 183d4c3 (S41C2RAR05_footprod.hjif): one square pulse on a channel "Left"
-/// of no stated sense.
+/// As 5G-MAG/rt-v3c-content has it at 183d4c3 (S41C2RAR05_footprod.hjif): one square pulse on a channel
+/// "Left" of no stated sense.
 TEST(HjifImport, aPulseOfAPlayerForTelephonesIsRead) {
     json pulse = effect("Basis", 533, {keyframe(0, 1.0), keyframe(100, 1.0)});
     pulse["phase"] = 0.0;
@@ -322,8 +322,8 @@ TEST(HjifImport, aPulseOfAPlayerForTelephonesIsRead) {
     EXPECT_EQ(evaluate(import->pattern, 0.58), (Intensities{1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
 }
 
-/// As the reference encoder writes IVS files (010_Bounce100 at 27f9bab): the amplitude at the end is 0 but for
-/// the last step of its coding, below it, and a keyframe has no frequency.
+/// As the reference encoder writes IVS files (010_Bounce100 at 27f9bab): the amplitude at the end is 0 but
+/// for the last step of its coding, below it, and a keyframe has no frequency.
 TEST(HjifImport, aDecayThatIsCodedBelowZeroEndsCloseToIt) {
     json first = keyframe(0, 1.0);
     first["frequency_modulation"] = 500;

@@ -209,7 +209,8 @@ void GelPart::drawMarkers() {
                                 m_colours.deadCross.rgb());
             continue;
         }
-        m_dots.cone(raised(rest_m, 0.0), raised(rest_m, 1.5 * lift_m), kGelDot * m_pitch_m, kGelDot * m_pitch_m, dot.rgb());
+        m_dots.cone(raised(rest_m, 0.0), raised(rest_m, 1.5 * lift_m), kGelDot * m_pitch_m,
+                    kGelDot * m_pitch_m, dot.rgb());
         const double moved_m = motion.displacement_m.norm();
         if (!motion.found || !(moved_m >= kLeastArrow * m_snapshot.noise_m))
             continue;
@@ -242,8 +243,8 @@ void GelPart::drawContact(const vision::GelContactState& contact, const GelWords
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const Eigen::Vector2d& a = outline[i];
             const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
-            m_solids.quad(raised(middle_m, 0.5 * lift_m), raised(a, 0.5 * lift_m), raised(0.5 * (a + b), 0.5 * lift_m),
-                          raised(b, 0.5 * lift_m), fill.rgb());
+            m_solids.quad(raised(middle_m, 0.5 * lift_m), raised(a, 0.5 * lift_m),
+                          raised(0.5 * (a + b), 0.5 * lift_m), raised(b, 0.5 * lift_m), fill.rgb());
             m_line.push_back(raised(a, lift_m));
         }
         m_lines.polyline(m_line, mark.colour.rgb(), true);
@@ -260,8 +261,8 @@ void GelPart::drawContact(const vision::GelContactState& contact, const GelWords
     }
     const Eigen::Vector2d shear_m = m_enlargement * contact.shearProxy_m;
     if (shear_m.allFinite() && shear_m.norm() > mark_m)
-        m_presses.arrow(mark.p_Sensor_Foot, mark.p_Sensor_Foot + raised(shear_m, 0.0), kGelThickShaft * m_pitch_m,
-                        kGelThickHead * m_pitch_m, mark.colour.rgb());
+        m_presses.arrow(mark.p_Sensor_Foot, mark.p_Sensor_Foot + raised(shear_m, 0.0),
+                        kGelThickShaft * m_pitch_m, kGelThickHead * m_pitch_m, mark.colour.rgb());
     const double turn_rad =
         std::clamp(m_enlargement * contact.torsion_rad, -kGelMostTurn_rad, kGelMostTurn_rad);
     if (std::abs(turn_rad) > kGelLeastTurn_rad) {
@@ -279,7 +280,8 @@ Eigen::AlignedBox3d GelPart::box_m() const {
         return box;
     for (const Eigen::Vector2d& corner : m_corners_m) {
         box.extend(m_X_World_Sensor * raised(corner, -kGelThickness * m_size_m));
-        box.extend(m_X_World_Sensor * raised(corner, kGelMark * m_pitch_m + 0.4 * kGelLongestPress * m_size_m));
+        box.extend(m_X_World_Sensor *
+                   raised(corner, kGelMark * m_pitch_m + 0.4 * kGelLongestPress * m_size_m));
     }
     return box;
 }
