@@ -4,8 +4,7 @@
 #include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/cost/frontier.h"
-
-#include <opencv2/core/utility.hpp>
+#include "backend/cost/one_opencv_thread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +19,6 @@ namespace teleta::cost {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-class SingleThreadedOpenCv {
-public:
-    SingleThreadedOpenCv()
-        : m_before(cv::getNumThreads()) {
-        cv::setNumThreads(1);
-    }
-    ~SingleThreadedOpenCv() { cv::setNumThreads(m_before); }
-    SingleThreadedOpenCv(const SingleThreadedOpenCv&) = delete;
-    SingleThreadedOpenCv& operator=(const SingleThreadedOpenCv&) = delete;
-
-private:
-    int m_before;
-};
 
 /// Time of a loop that always does the same, about 0.1 ms.
 double calibrationLoop_s() {
@@ -165,7 +150,7 @@ void refuseSlowed(std::span<LadderCost> ladders, std::span<const double> loops_s
 }
 
 core::Expected<Measurement> measureLadders(std::span<const Ladder> ladders, const MeasureSettings& settings) {
-    const SingleThreadedOpenCv singleThreaded;
+    const OneOpenCvThread singleThreaded;
     const std::int64_t start_ns = core::steadyNow_ns();
     Measurement measurement;
     double quickest_s = wokenLoop_s();

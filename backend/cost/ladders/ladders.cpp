@@ -4,9 +4,10 @@
 namespace teleta::cost {
 
 std::vector<Ladder> allLadders() {
-    return {contactFlowLadder(),  cameraCalibrationLadder(), undistortionLadder(), contourLadder(),
-            stiffnessLadder(),    tactileFeaturesLadder(),   taxelGainsLadder(),   simulationStepLadder(),
-            sceneEffectsLadder(), statisticsLadder()};
+    return {contactFlowLadder(),    cameraCalibrationLadder(), undistortionLadder(),   gelMarkersLadder(),
+            contourLadder(),        stiffnessLadder(),         tactileFeaturesLadder(), skinContactsLadder(),
+            taxelGainsLadder(),     simulationStepLadder(),    sceneEffectsLadder(),   statisticsLadder(),
+            psychometricFitLadder()};
 }
 
 } // namespace teleta::cost

@@ -25,6 +25,10 @@ struct LadderText {
 /// Direction in which a pixel looks: fixed iterations, Newton, tables.
 [[nodiscard]] Ladder undistortionLadder();
 
+/// Motion of the markers of a flat gel that a ball drags: dark spots, their centres, and markers that are
+/// followed, with places at rest from one picture or several. Pictures are drawn from where the markers are.
+[[nodiscard]] Ladder gelMarkersLadder();
+
 /// Stiffness of an object from the log of a touch: two points or all samples of the window, 2..1000 samples.
 /// Touches are computed from the object's stiffness in closed form, with the noise of the paper's joint.
 [[nodiscard]] Ladder stiffnessLadder();
@@ -36,6 +40,10 @@ struct LadderText {
 /// Place of a ball that presses on an array, also over its border: centroid of the active taxels, centre of
 /// pressure, summit of a paraboloid. Loads come from the foundation model.
 [[nodiscard]] Ladder tactileFeaturesLadder();
+
+/// Contacts on the skin of a whole body, 40 patches of 10 x 25 taxels: how summits are told apart, and the
+/// centroid or the summit of each contact. Loads come from the foundation model.
+[[nodiscard]] Ladder skinContactsLadder();
 
 /// Gains of an array's taxels from a press whose readings are lost now and then, and spark: ratio of the
 /// means, robust fit, 50..1000 frames. Readings are written from the taxels' responses.
@@ -53,6 +61,10 @@ struct LadderText {
 /// approximation with corrections of the bias, jackknife over participants, bootstrap with 100..100 000
 /// resamples.
 [[nodiscard]] Ladder statisticsLadder();
+
+/// Interval of a threshold from the answers of simulated observers: the best point of the grid, one start or
+/// several, each with the normal approximation, the profile of the likelihood, and the bootstrap.
+[[nodiscard]] Ladder psychometricFitLadder();
 
 /// All ladders in the order of their list.
 [[nodiscard]] std::vector<Ladder> allLadders();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/failure.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/array/simulated_array.h"
 
 #include <QFile>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -118,6 +120,11 @@ Ladder sceneEffectsLadder() {
         scene::Scene bare = scene;
         bare.effects.clear();
         TELETA_CHECK(add("none", "no effects", bare));
+        const auto copy = std::make_shared<std::vector<float>>(scene.taxels().taxels());
+        rungs.push_back(limitRung("each taxel written once", kFramesPerPart, [=](std::size_t index) {
+            std::ranges::copy((*truth)[index % truth->size()], copy->begin());
+            return static_cast<double>(copy->back());
+        }));
         return rungs;
     };
     return ladder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/number_text.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/simulation/arm/flexible_arm.h"
 
 #include <Eigen/Core>
@@ -123,6 +124,14 @@ Ladder simulationStepLadder() {
             rungs.push_back(stepRung(step_ms, false, truth));
         for (const double step_ms : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
             rungs.push_back(stepRung(step_ms, true, truth));
+        // Where the forearm is: no step can be taken without it, and 10 ms need one at least.
+        const auto arm = std::make_shared<const simulation::FlexibleArm>(touchingArm());
+        constexpr std::size_t kCalls = 64;
+        rungs.push_back(limitRung("place of the forearm once", kCalls, [=](std::size_t index) {
+            arm::JointVector angles_rad = arm->state().link_rad;
+            angles_rad[3] += 1e-6 * static_cast<double>(index);
+            return arm->kinematics().X_Base_Link(arm::Link::forearm, angles_rad).translation().x();
+        }));
         return rungs;
     };
     return ladder;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/study/analysis/study_transfer.h"
 #include "backend/study/analysis/transfer_interval.h"
 #include "backend/study/session/simulated_participant.h"
@@ -139,6 +140,15 @@ Ladder statisticsLadder() {
         for (const std::size_t resamples : {100U, 1000U, 10'000U})
             rungs.push_back(bootstrap("bootstrap-miller-", resamples, ", Miller's bias",
                                       study::correctedBootstrapTransfer));
+        constexpr std::size_t kCalls = 256;
+        rungs.push_back(limitRung("each cell of the pooled matrix added up once", kCalls, [=](std::size_t index) {
+            const study::ConfusionMatrix& pooled = input->studies[index % input->studies.size()].pooled;
+            std::int64_t sum = 0;
+            for (std::size_t row = 0; row < pooled.patterns(); ++row)
+                for (std::size_t column = 0; column < pooled.columns(); ++column)
+                    sum += pooled.count(row, column);
+            return static_cast<double>(sum);
+        }));
         return rungs;
     };
     return ladder;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladders.h"
+#include "backend/cost/limit_rung.h"
 #include "backend/stiffness/stiffness_estimator.h"
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace teleta::cost {
 
@@ -89,6 +91,14 @@ Ladder stiffnessLadder() {
         for (const stiffness::Method method : {stiffness::Method::twoPoint, stiffness::Method::regression})
             for (const std::size_t samples : {2U, 10U, 30U, 100U, 300U, 1000U})
                 rungs.push_back(stiffnessRung(method, samples));
+        const auto shortest = std::make_shared<const Touch>(simulateTouch(0, 2));
+        constexpr std::size_t kCalls = 256;
+        rungs.push_back(limitRung("each sample of the shortest touch read once", kCalls, [=](std::size_t) {
+            double sum = 0.0;
+            for (const stiffness::JointSample& sample : shortest->samples)
+                sum += sample.angle_rad * sample.torque_Nm;
+            return sum;
+        }));
         return rungs;
     };
     return ladder;

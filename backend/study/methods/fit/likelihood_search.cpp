@@ -280,10 +280,13 @@ std::vector<SearchPoint> LikelihoodSearch::startsOf(const Grid& grid, std::size_
     return points;
 }
 
-SearchPoint LikelihoodSearch::best() const {
-    constexpr std::size_t kStarts = 3;
+SearchPoint LikelihoodSearch::bestOfGrid() const {
+    return startsOf(*m_grid, 1).front();
+}
+
+SearchPoint LikelihoodSearch::best(std::size_t starts) const {
     SearchPoint best{{}, -std::numeric_limits<double>::infinity()};
-    for (const SearchPoint& start : startsOf(*m_grid, kStarts)) {
+    for (const SearchPoint& start : startsOf(*m_grid, starts)) {
         const SearchPoint end = climb(start, std::nullopt);
         if (end.logLikelihood > best.logLikelihood)
             best = end;

@@ -51,13 +51,19 @@ struct LikelihoodRise {
 /// Constant once made; thread: any.
 class LikelihoodSearch {
 public:
+    static constexpr std::size_t kStarts = 3;
+
     /// counts: rising levels; on a log10 scale and for weibull at least one is above 0.
     LikelihoodSearch(std::span<const LevelCount> counts, const FitModel& model);
 
     /// The same search for other answers at the same levels; the tables of the grid are shared.
     [[nodiscard]] LikelihoodSearch withAnswers(std::span<const LevelCount> counts) const;
 
-    [[nodiscard]] SearchPoint best() const;
+    /// starts: how many points of the grid are improved, >= 1; with more of them a lower maximum beside the
+    /// highest one is not taken for it.
+    [[nodiscard]] SearchPoint best(std::size_t starts = kStarts) const;
+    /// The best point of the grid, as it is.
+    [[nodiscard]] SearchPoint bestOfGrid() const;
     /// The best point with one parameter held at this value; near: starts from here as well.
     [[nodiscard]] SearchPoint bestWith(SearchPoint::Parameter held, double value,
                                        const SearchPoint& near) const;
