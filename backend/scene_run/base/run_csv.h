@@ -27,6 +27,8 @@ public:
         if (m_csv)
             m_csv->row(values...);
     }
+    /// Rows are written; otherwise nobody needs them.
+    [[nodiscard]] bool isOpen() const { return m_csv.has_value(); }
     [[nodiscard]] bool failed() const { return m_csv && m_csv->failed(); }
     [[nodiscard]] core::Expected<void> finish() { return m_csv ? m_csv->finish() : core::Expected<void>(); }
 

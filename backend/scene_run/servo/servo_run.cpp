@@ -157,7 +157,7 @@ core::Expected<SceneSummary> runServoScene(const scene::Scene& scene, const RunO
             if (options.onFrame)
                 options.onFrame({loop.world().time_s(), loop.frame(), labels.of(loop.world())});
         }
-        if (loop.servoed())
+        if (loop.servoed() && servoLog.isOpen())
             addCycle(loop, measures, servoLog);
     }
     for (const core::Expected<void>& written : {frameLog.finish(), servoLog.finish(), recording.finish()})

@@ -336,6 +336,10 @@ void ElasticArray::findDepths(const Eigen::Isometry3d& X_Object_Sensor, const Sh
 }
 
 void ElasticArray::findPressed(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& touched) const {
+    if (m_pressedShape == &touched && m_X_Sensor_Object.matrix() == X_Sensor_Object.matrix())
+        return;
+    m_pressedShape = &touched;
+    m_X_Sensor_Object = X_Sensor_Object;
     const Eigen::Isometry3d X_Object_Sensor = X_Sensor_Object.inverse(Eigen::Isometry);
     const double moved_m = (X_Object_Sensor.translation() - m_X_Object_Sensor.translation()).norm() +
                            m_reach_m * (X_Object_Sensor.linear() - m_X_Object_Sensor.linear()).norm();

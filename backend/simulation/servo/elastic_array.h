@@ -122,6 +122,9 @@ private:
     mutable Columns m_nearby; ///< of m_near; normals in the body's frame, not yet divided by their length
     mutable std::vector<std::size_t> m_pressed; ///< places in m_near
     mutable Columns m_inBody;                   ///< of m_pressed
+    // The pose and shape of which these are: a frame is read where the last step ended.
+    mutable Eigen::Isometry3d m_X_Sensor_Object = Eigen::Isometry3d::Identity();
+    mutable const TouchedShape* m_pressedShape = nullptr;
 };
 
 } // namespace teleta::simulation

@@ -67,6 +67,7 @@ ImpedanceArm::ImpedanceArm(const Isometry3d& X_Flange_Sensor, const Impedance& i
 
 void ImpedanceArm::setState(const ImpedanceState& state) {
     m_state = state;
+    m_curvature.isOfState = false;
     m_posture = m_kinematics.forward(state.q_rad);
     m_X_Base_Reference = m_posture.X_Base_Tool;
     m_contact = m_array.press(m_posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(state.hinge_rad),
@@ -167,24 +168,28 @@ double ImpedanceArm::friction_J(const servo::Twist& way_Sensor, double creep_m, 
     return energy_J;
 }
 
-void ImpedanceArm::derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,
-                               FreedomsMatrix* contactHessian) const {
+void ImpedanceArm::findCurvature(const Place& place) {
     const servo::LwrJacobian& J = place.posture.jacobian;
     // Products coefficient by coefficient: Eigen takes these sizes for large ones, and packs them first.
-    gradient.head<kLwrJoints>() = -J.transpose().lazyProduct(place.spring_Base);
-    gradient[kLwrJoints] = -m_hingeTorque_Nm;
-    hessian.setZero();
+    m_curvature.hessian.setZero();
     const servo::LwrJacobian stiff = m_stiffness.asDiagonal() * J;
-    hessian.topLeftCorner<kLwrJoints, kLwrJoints>() = J.transpose().lazyProduct(stiff);
+    m_curvature.hessian.topLeftCorner<kLwrJoints, kLwrJoints>() = J.transpose().lazyProduct(stiff);
+    m_curvature.isOfState = true;
     if (place.contact.springs == 0)
         return;
-    const Relative relative = relativeTwist(place);
-    gradient -= relative.transpose().lazyProduct(place.contact.wrench_Sensor);
-    const Relative pressed = place.contact.tangent_Sensor.lazyProduct(relative);
-    const FreedomsMatrix ofContact = relative.transpose().lazyProduct(pressed);
-    hessian += ofContact;
-    if (contactHessian != nullptr)
-        *contactHessian = ofContact;
+    m_curvature.relative = relativeTwist(place);
+    const Relative pressed = place.contact.tangent_Sensor.lazyProduct(m_curvature.relative);
+    m_curvature.ofContact = m_curvature.relative.transpose().lazyProduct(pressed);
+    m_curvature.hessian += m_curvature.ofContact;
+}
+
+ImpedanceArm::Freedoms ImpedanceArm::gradientAt(const Place& place) const {
+    Freedoms gradient;
+    gradient.head<kLwrJoints>() = -place.posture.jacobian.transpose().lazyProduct(place.spring_Base);
+    gradient[kLwrJoints] = -m_hingeTorque_Nm;
+    if (place.contact.springs > 0)
+        gradient -= m_curvature.relative.transpose().lazyProduct(place.contact.wrench_Sensor);
+    return gradient;
 }
 
 double ImpedanceArm::kinetic_J(const Freedoms& rate) const {
@@ -217,19 +222,17 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     const double allowed_J = here->potential_J + kinetic_J(rate);
     const FreedomsMatrix inertia = m_mass / (step_s * step_s);
     FreedomsMatrix quadratic = inertia + m_damping / step_s;
-    Freedoms gradient;
-    FreedomsMatrix hessian;
-    FreedomsMatrix ofContact = FreedomsMatrix::Zero();
-    const bool damped = m_impedance.contactDampingTime_s > 0.0 && here->contact.springs > 0;
-    derivatives(*here, gradient, hessian, damped ? &ofContact : nullptr);
-    if (damped)
-        quadratic += m_impedance.contactDampingTime_s / step_s * ofContact;
+    // Where the last step ended it has been found.
+    if (!m_curvature.isOfState)
+        findCurvature(*here);
+    if (m_impedance.contactDampingTime_s > 0.0 && here->contact.springs > 0)
+        quadratic += m_impedance.contactDampingTime_s / step_s * m_curvature.ofContact;
     const Freedoms push = inertia.lazyProduct(step_s * rate);
     const double creep_m = kCreep_mPerS * step_s;
     const bool rubs = m_impedance.friction > 0.0 && here->contact.springs > 0;
     Relative relative;
     if (rubs) {
-        relative = relativeTwist(*here);
+        relative = m_curvature.relative;
         m_array.listPressed(here->posture.X_Base_Tool.inverse(Eigen::Isometry) * objectAt(start[kLwrJoints]),
                             m_object.shape, m_rubbing);
     }
@@ -241,8 +244,10 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
 
     double merit_J = here->potential_J;
     for (int i = 0; i < kMostIterations; ++i) {
-        if (i > 0)
-            derivatives(*here, gradient, hessian, nullptr);
+        if (!m_curvature.isOfState)
+            findCurvature(*here);
+        Freedoms gradient = gradientAt(*here);
+        FreedomsMatrix hessian = m_curvature.hessian;
         gradient += quadratic.lazyProduct(here->at - start) - push;
         hessian += quadratic;
         if (rubs) {
@@ -268,6 +273,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
             if (nextMerit_J <= merit_J) {
                 merit_J = nextMerit_J;
                 std::swap(here, next);
+                m_curvature.isOfState = false;
                 break;
             }
         }

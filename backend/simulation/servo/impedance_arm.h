@@ -102,9 +102,18 @@ private:
     [[nodiscard]] Eigen::Isometry3d objectAt(double hinge_rad) const;
     void evaluate(const Freedoms& at, Place& place, servo::CycleTimes* times) const;
     void evaluateSprings(Place& place) const;
-    /// Of the potential energy; contactHessian: its part of the contact.
-    void derivatives(const Place& place, Freedoms& gradient, FreedomsMatrix& hessian,
-                     FreedomsMatrix* contactHessian) const;
+    /// What the second derivative of the potential energy is made of. It does not depend on where the
+    /// reference is, so that a step begins with that of the last one's end.
+    struct Curvature {
+        FreedomsMatrix hessian;
+        FreedomsMatrix ofContact; ///< defined where springs are pressed, as is relative
+        Relative relative;
+        bool isOfState = false; ///< of the place at which the step is
+    };
+    /// Fills m_curvature.
+    void findCurvature(const Place& place);
+    /// Of the potential energy, where m_curvature has been found.
+    [[nodiscard]] Freedoms gradientAt(const Place& place) const;
     void followPosture();
     /// Twist of the array relative to the object in {s}, for rates of the freedoms.
     [[nodiscard]] Relative relativeTwist(const Place& place) const;
@@ -115,6 +124,7 @@ private:
 
     servo::LwrKinematics m_kinematics;
     Impedance m_impedance;
+    Curvature m_curvature;
     servo::Vector6 m_stiffness;
     ElasticArray m_array;
     TouchedObject m_object;

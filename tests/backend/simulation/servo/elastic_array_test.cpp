@@ -51,6 +51,43 @@ TEST(ElasticArray, aTiltedWallMovesTheCentreOfPressureAsABeamOnSprings) {
     EXPECT_NEAR(loads.cocX_m, 0.0, 1e-12);
 }
 
+// What a pose has shown is kept for the next question about the same pose, and for no other.
+TEST(ElasticArray, answersTheSameWhateverWasAskedBefore) {
+    const ElasticArray used = softArray();
+    const TouchedShape bar = BarSurface(test::straightBar());
+    const TouchedShape wall = WallSurface{};
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<double> within(-1.0, 1.0);
+    std::vector<double> load_N(kLayout.taxels()), freshLoad_N(kLayout.taxels());
+    std::vector<PressedPoint> points, freshPoints;
+    for (int i = 0; i < 60; ++i) {
+        const Eigen::Isometry3d X = inFront(-4e-4 + 1e-4 * within(engine), 0.0, 0.02 * within(engine));
+        const TouchedShape& shape = i % 3 == 0 ? wall : bar;
+        const ElasticArray fresh = softArray();
+        // Before and after the others, twice, and of the other shape at the same pose.
+        for (const int question : {i % 4, 0, 1, 1, 3, 2, 0}) {
+            if (question == 0) {
+                const ArrayContact contact = used.press(X, shape);
+                const ArrayContact expected = softArray().press(X, shape);
+                EXPECT_EQ(contact.energy_J, expected.energy_J);
+                EXPECT_EQ(contact.wrench_Sensor, expected.wrench_Sensor);
+                EXPECT_EQ(contact.tangent_Sensor, expected.tangent_Sensor);
+            } else if (question == 1) {
+                EXPECT_EQ(used.readLoads(X, shape, load_N).force_N, fresh.readLoads(X, shape, freshLoad_N).force_N);
+                EXPECT_EQ(load_N, freshLoad_N);
+            } else if (question == 2) {
+                used.listPressed(X, shape, points);
+                fresh.listPressed(X, shape, freshPoints);
+                ASSERT_EQ(points.size(), freshPoints.size());
+                for (std::size_t k = 0; k < points.size(); ++k)
+                    EXPECT_EQ(points[k].force_N, freshPoints[k].force_N);
+            } else {
+                (void)used.press(X, i % 3 == 0 ? bar : wall);
+            }
+        }
+    }
+}
+
 TEST(ElasticArray, aBodyAsSoftAsTheArrayHalvesTheForce) {
     const double hard_N = softArray().press(inFront(-4e-4), WallSurface{}).wrench_Sensor.z();
     const double soft_N = softArray(kTaxel_NPerM).press(inFront(-4e-4), WallSurface{}).wrench_Sensor.z();
