@@ -101,10 +101,11 @@ DotTracker::Found DotTracker::centroid(const cv::Mat1b& frame, std::size_t dot,
     const Window& window = m_windows[dot];
     const float ground = window.ground * gain * kGroundShare;
     const float scale = ground > 0.0F ? 1.0F / ground : 0.0F;
+    static const cv::Mat1b kNothingHidden;
     Found found{.place_px = start_px};
     for (int step = 0; step < steps; ++step) {
-        const DarkMoments dark = darkMoments(frame, isClear(dot, found.place_px) ? cv::Mat1b() : m_hidden,
-                                             window.shape, found.place_px, ground);
+        const cv::Mat1b& hidden = isClear(dot, found.place_px) ? kNothingHidden : m_hidden;
+        const DarkMoments dark = darkMoments(frame, hidden, window.shape, found.place_px, ground);
         found.mass = static_cast<double>(dark.sum * scale) * window.shape.stride() * window.shape.stride();
         found.darkest = dark.darkest * scale;
         if (!(dark.sum > 0.0F))
