@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/core/failure.h"
 #include "backend/cost/cost_result.h"
+#include "backend/cost/one_opencv_thread.h"
 #include "backend/sweep/subjects.h"
 
 #include <QCoreApplication>
@@ -68,6 +69,7 @@ public:
 
 private:
     cost::Ladder m_ladder;
+    cost::OneOpenCvThread m_oneThread; ///< a time is that of one core
 };
 
 } // namespace

@@ -103,7 +103,7 @@ core::Expected<void> removeResults(const std::string& folder) {
         QDir inner(dir.filePath(QLatin1String(part)));
         removed = (!inner.exists() || inner.removeRecursively()) && removed;
     }
-    for (const char* file : {"runs.csv", "cells.csv", "sweep.json"})
+    for (const char* file : {"runs.csv", "cells.csv", "frames.csv", "sweep.json"})
         removed = (!dir.exists(QLatin1String(file)) || dir.remove(QLatin1String(file))) && removed;
     if (removed)
         return {};
@@ -144,7 +144,7 @@ core::Expected<void> SweepFolder::open(const SweepPlan& plan, bool restart) cons
 }
 
 core::Expected<SweepResults> SweepFolder::merge(const SweepPlan& plan) const {
-    TELETA_TRY(SweepResults results, mergeParts(plan, folder));
+    TELETA_TRY(SweepResults results, mergeParts(plan, folder, frames));
     TELETA_CHECK(writeSweepFigures(plan, results, folder + "/figures"));
     TELETA_CHECK(writeSweepJson(*this, plan, &results));
     return results;

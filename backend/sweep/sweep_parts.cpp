@@ -46,7 +46,7 @@ core::Expected<std::string> takeNumber(const std::string& folder) {
     const QStringList names = partNames(folder);
     unsigned long long next = names.isEmpty() ? 0 : QFileInfo(names.back()).baseName().toULongLong() + 1;
     for (;; ++next) {
-        const std::string number = QStringLiteral("%1").arg(next, 4, 10, QLatin1Char('0')).toStdString();
+        const std::string number = partName(next);
         const std::string path = folder + "/parts/" + number + ".csv";
         const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (file >= 0) {
@@ -61,13 +61,16 @@ core::Expected<std::string> takeNumber(const std::string& folder) {
     }
 }
 
-core::Expected<void> readPart(const std::string& path, const std::function<void(RunRow&&)>& take) {
+core::Expected<void> readPart(const std::string& path, std::uint64_t number,
+                              const std::function<void(RunRow&&)>& take, std::set<std::string>* columns) {
     TELETA_TRY(core::CsvReader reader, core::CsvReader::open(path));
     const std::vector<std::string>& header = reader.header();
     if (header.size() < kRunColumns.size() ||
         !std::equal(kRunColumns.begin(), kRunColumns.end(), header.begin()))
         return core::failed(core::ErrorKind::badInput, SweepPartsText::tr("this is no part of a sweep"),
                             QStringLiteral("run,status,reason,wall_s,processor_s"), {path, 1});
+    if (columns != nullptr)
+        columns->insert(header.begin() + kRunColumns.size(), header.end());
     std::vector<std::string_view> fields;
     for (;;) {
         TELETA_TRY(const bool more, reader.nextText(fields));
@@ -82,6 +85,7 @@ core::Expected<void> readPart(const std::string& path, const std::function<void(
             return core::failed(core::ErrorKind::badInput, SweepPartsText::tr("this is no row of a sweep"),
                                 SweepPartsText::tr("the number of a run and its times"), reader.place(0));
         row.run = run;
+        row.part = number;
         row.wall_s = *wall_s;
         row.processor_s = *processor_s;
         if (fields[1] != "ok")
@@ -99,6 +103,10 @@ core::Expected<void> readPart(const std::string& path, const std::function<void(
 }
 
 } // namespace
+
+std::string partName(std::uint64_t number) {
+    return QStringLiteral("%1").arg(number, 4, 10, QLatin1Char('0')).toStdString();
+}
 
 core::Expected<std::string> PartWriter::number() {
     if (m_number.empty()) {
@@ -147,12 +155,14 @@ core::Expected<void> PartWriter::close() {
     return {};
 }
 
-core::Expected<void> readParts(const std::string& folder, const std::function<void(RunRow&&)>& take) {
+core::Expected<void> readParts(const std::string& folder, const std::function<void(RunRow&&)>& take,
+                               std::set<std::string>* columns) {
     for (const QString& name : partNames(folder)) {
         const std::string path = folder + "/parts/" + name.toStdString();
-        if (QFileInfo(QString::fromStdString(path)).size() == 0)
+        const QFileInfo info(QString::fromStdString(path));
+        if (info.size() == 0)
             continue;
-        TELETA_CHECK(readPart(path, take));
+        TELETA_CHECK(readPart(path, info.baseName().toULongLong(), take, columns));
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,16 @@ private:
     std::size_t m_written = 0;
 };
 
+/// "0012", as files of a part are named.
+[[nodiscard]] std::string partName(std::uint64_t number);
+
 /// Calls take with every row of the parts of a folder, in the order of their numbers; measures in the order
-/// of the part's columns. Rows may come twice. A number that is taken but not yet written has none. Error:
-/// ioFailed, badInput for a part that is none. Thread: any.
+/// of the part's columns, those that could not be determined left out. Rows may come twice. A number that is
+/// taken but not yet written has none. columns: gets the measures of all parts, also those that no run has.
+/// Error: ioFailed, badInput for a part that is none. Thread: any.
 [[nodiscard]] core::Expected<void> readParts(const std::string& folder,
-                                             const std::function<void(RunRow&&)>& take);
+                                             const std::function<void(RunRow&&)>& take,
+                                             std::set<std::string>* columns = nullptr);
 
 /// Which runs have a row, of so many. Error: as readParts(), and badInput for a run that the sweep does not
 /// have.

@@ -6,9 +6,16 @@
 #include "backend/study/analysis/proportion.h"
 #include "backend/sweep/sweep_parts.h"
 
+#include <QDir>
+#include <QFile>
+#include <QString>
+#include <QStringList>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string_view>
 #include <unordered_map>
 
 namespace teleta::sweep {
@@ -22,13 +29,14 @@ struct MergedRow {
 };
 
 struct MergedRuns {
-    std::vector<std::string> names; ///< in the order of the parts
+    std::vector<std::string> names; ///< in the order of the parts; those that no run has come last
     std::vector<MergedRow> rows;    ///< sorted by run, each once
 };
 
 core::Expected<MergedRuns> mergedRuns(const SweepPlan& plan, const std::string& folder) {
     MergedRuns merged;
     std::unordered_map<std::string, std::uint32_t> places;
+    std::set<std::string> columns;
     TELETA_CHECK(readParts(folder, [&](RunRow&& row) {
         if (row.run >= plan.runs())
             return;
@@ -42,7 +50,14 @@ core::Expected<MergedRuns> mergedRuns(const SweepPlan& plan, const std::string& 
         }
         row.measures.clear();
         added.row = std::move(row);
-    }));
+    }, &columns));
+    // A list that could not be determined in some runs has columns of its own in others.
+    std::set<std::string> lists;
+    for (const std::string& name : merged.names)
+        lists.insert(baseName(name));
+    for (const std::string& column : columns)
+        if (!places.contains(column) && !lists.contains(column))
+            merged.names.push_back(column);
     // Of the same run the first part's row comes first and stays.
     std::ranges::stable_sort(merged.rows, {}, [](const MergedRow& each) { return each.row.run; });
     merged.rows.erase(
@@ -52,9 +67,9 @@ core::Expected<MergedRuns> mergedRuns(const SweepPlan& plan, const std::string& 
     return merged;
 }
 
-/// Places of the names in the order in which the sorted runs bring them up. Each part has its names in this
-/// order, so it does not depend on the parts.
-std::vector<std::uint32_t> orderOf(const MergedRuns& merged) {
+/// Places of the names in the order in which the sorted runs bring them up, or of the plan's measures. Each
+/// part has its names in this order, so it does not depend on the parts.
+std::vector<std::uint32_t> orderOf(const SweepPlan& plan, const MergedRuns& merged) {
     std::vector<bool> seen(merged.names.size(), false);
     std::vector<std::uint32_t> order;
     for (const MergedRow& row : merged.rows)
@@ -63,6 +78,15 @@ std::vector<std::uint32_t> orderOf(const MergedRuns& merged) {
                 seen[place] = true;
                 order.push_back(place);
             }
+    for (std::uint32_t place = 0; place < seen.size(); ++place)
+        if (!seen[place])
+            order.push_back(place);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t place) {
+        const std::string& name = merged.names[place];
+        return std::ranges::find_if(plan.measures, [&](const std::string& wanted) {
+                   return wanted == name || wanted == baseName(name);
+               }) - plan.measures.begin();
+    });
     return order;
 }
 
@@ -168,13 +192,38 @@ core::Expected<void> writeCells(const SweepPlan& plan, const SweepResults& resul
     return csv.finish();
 }
 
+/// complete: no writer is at work for a run that has no row yet.
+core::Expected<void> writeFrames(const MergedRuns& merged, const std::string& folder, bool complete) {
+    const QDir dir(QString::fromStdString(folder + "/frames"));
+    const QStringList found = dir.entryList({QStringLiteral("*.npz")}, QDir::Files);
+    const std::set<QString> there(found.begin(), found.end());
+    std::set<QString> named;
+    TELETA_TRY(core::CsvWriter csv,
+               core::CsvWriter::create(folder + "/frames.csv", std::array<std::string_view, 2>{"run", "file"}));
+    for (const MergedRow& row : merged.rows) {
+        const QString file = QString::fromStdString(partName(row.row.part) + ".npz");
+        // A run that failed has none, nor has one of a world without an array.
+        if (row.row.failed() || !there.contains(file))
+            continue;
+        csv.row(row.row.run, "frames/" + file.toStdString());
+        named.insert(file);
+    }
+    TELETA_CHECK(csv.finish());
+    for (const QString& file : found)
+        if (complete && !named.contains(file))
+            QFile::remove(dir.filePath(file)); // another that merges may have done it
+    return {};
+}
+
 } // namespace
 
 bool isShare(const std::string& measure, const std::vector<double>& values) {
-    const bool named = measure.ends_with("_covered") || measure.ends_with("_share");
-    return !values.empty() && std::ranges::all_of(values, [&](double value) {
-        return value == 0.0 || value == 1.0 || (named && value > 0.0 && value < 1.0);
-    });
+    constexpr std::array<std::string_view, 4> kShares{"completed", "significant", "refused",
+                                                      "stopped_without_bump"};
+    const bool named = std::ranges::find(kShares, measure) != kShares.end() ||
+                       measure.ends_with("_covered") || measure.ends_with("_share");
+    return named && !values.empty() &&
+           std::ranges::all_of(values, [](double value) { return value >= 0.0 && value <= 1.0; });
 }
 
 CellMeasure cellMeasure(const std::vector<double>& values, bool share) {
@@ -203,15 +252,17 @@ CellMeasure cellMeasure(const std::vector<double>& values, bool share) {
 
 core::Expected<SweepResults> readResults(const SweepPlan& plan, const std::string& folder) {
     TELETA_TRY(const MergedRuns merged, mergedRuns(plan, folder));
-    return resultsOf(plan, merged, orderOf(merged));
+    return resultsOf(plan, merged, orderOf(plan, merged));
 }
 
-core::Expected<SweepResults> mergeParts(const SweepPlan& plan, const std::string& folder) {
+core::Expected<SweepResults> mergeParts(const SweepPlan& plan, const std::string& folder, bool frames) {
     TELETA_TRY(const MergedRuns merged, mergedRuns(plan, folder));
-    const std::vector<std::uint32_t> order = orderOf(merged);
+    const std::vector<std::uint32_t> order = orderOf(plan, merged);
     SweepResults results = resultsOf(plan, merged, order);
     TELETA_CHECK(writeRuns(plan, merged, order, results, folder + "/runs.csv"));
     TELETA_CHECK(writeCells(plan, results, folder + "/cells.csv"));
+    if (frames)
+        TELETA_CHECK(writeFrames(merged, folder, results.done == results.all));
     return results;
 }
 

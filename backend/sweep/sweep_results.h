@@ -31,15 +31,16 @@ struct CellResult {
 struct SweepResults {
     std::vector<std::string>
         measures;                  ///< in the order of the runs' first appearance, or as the plan names them
-    std::vector<bool> shares;      ///< measures that are 0 to 1 by their nature: see isShare()
+    std::vector<bool> shares;      ///< measures that are shares: see isShare()
     std::vector<CellResult> cells; ///< all of the plan
     std::uint64_t done = 0;
     std::uint64_t failed = 0;
     std::uint64_t all = 0;
 };
 
-/// A measure whose values are all 0 or 1, or all between them with a name that ends in "_covered" or
-/// "_share". Thread: any (pure).
+/// A measure that is a share by its name, and whose values are none but from 0 to 1: "completed",
+/// "significant", "refused", "stopped_without_bump", and names that end in "_covered" or "_share". A number
+/// that merely is 0 or 1 in all runs, such as a time without contact, is none. Thread: any (pure).
 [[nodiscard]] bool isShare(const std::string& measure, const std::vector<double>& values);
 
 /// Statistics of values; quantiles of type 7 (Hyndman and Fan). Thread: any (pure).
@@ -52,8 +53,13 @@ struct SweepResults {
 /// Merges the parts of a folder into
 ///   runs.csv    run,cell,seed,KEYS,status,reason,MEASURES,wall_s,processor_s
 ///   cells.csv   cell,KEYS,measure,runs,failed,n,mean,sd,median,p05,p95,interval,low95,high95
-/// sorted; but for the two times, the bytes do not depend on how the runs came into parts. Two that merge at
-/// once do no harm. Error: ioFailed, badInput. Thread: any.
-[[nodiscard]] core::Expected<SweepResults> mergeParts(const SweepPlan& plan, const std::string& folder);
+/// sorted; but for the two times, the bytes do not depend on how the runs came into parts. A measure that no
+/// run could determine has a column without values. Two that merge at once do no harm. frames: also
+///   frames.csv  run,file
+/// with the file that has the frames of each run. A writer that was ended between frames and rows leaves a
+/// file of frames that is of no run, and two that did the same run two of them: these are not named, and once
+/// every run is there, files that are not named are removed. Error: ioFailed, badInput. Thread: any.
+[[nodiscard]] core::Expected<SweepResults> mergeParts(const SweepPlan& plan, const std::string& folder,
+                                                      bool frames = false);
 
 } // namespace teleta::sweep

@@ -28,18 +28,15 @@ namespace teleta::sweep {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenReports{100};
-/// Runs that are lost in a power cut took no longer than this.
+/// Runs that are lost in a power cut took no longer than this, or one run if that takes longer.
 constexpr double kBetweenWrites_s = 5.0;
+/// The same with frames, which make a file each time.
+constexpr double kBetweenFrameWrites_s = 30.0;
 constexpr std::size_t kWorstCells = 5;
 
 struct SweepRunnerText {
     Q_DECLARE_TR_FUNCTIONS(SweepRunner)
 };
-
-/// "contact_error_m" of "contact_error_m[2]" and "phases" of "phases.align".
-std::string baseName(const std::string& measure) {
-    return measure.substr(0, measure.find_first_of("[."));
-}
 
 class Runner {
 public:
@@ -53,8 +50,10 @@ public:
 
     core::Expected<void> run(std::uint64_t before, std::uint64_t all) {
         const std::int64_t start_ns = core::steadyNow_ns();
-        const std::size_t wanted =
-            m_options.workers > 0 ? m_options.workers : std::max(1U, std::thread::hardware_concurrency());
+        // Runs of a ladder are timed: they would take each other's time.
+        const std::size_t usual =
+            m_plan.kind == SubjectKind::ladder ? 1 : std::max(1U, std::thread::hardware_concurrency());
+        const std::size_t wanted = m_options.workers > 0 ? m_options.workers : usual;
         const std::size_t threads = std::min<std::size_t>(wanted, m_missing.size());
         m_working = threads;
         std::vector<std::thread> workers;
@@ -173,8 +172,10 @@ private:
             std::optional<core::ArrayLayout> layout;
             if (m_options.frames)
                 layout = worker->layoutOf(m_plan, m_plan.cellOf(run));
-            if (layout && !frames.takes(*layout))
+            if (layout && !frames.takes(*layout)) {
                 state = write(part, frames);
+                written_ns = core::steadyNow_ns();
+            }
             if (!state)
                 break;
             RunRow row = runOne(*worker, run, layout ? &*layout : nullptr, frames);
@@ -186,9 +187,9 @@ private:
             tally(row);
             part.add(std::move(row));
             ++m_done;
-            const bool due = m_options.frames
-                                 ? frames.frames() >= kFramesOfPart
-                                 : core::elapsed_s(written_ns, core::steadyNow_ns()) > kBetweenWrites_s;
+            const double longest_s = m_options.frames ? kBetweenFrameWrites_s : kBetweenWrites_s;
+            const bool due = core::elapsed_s(written_ns, core::steadyNow_ns()) > longest_s ||
+                             (m_options.frames && frames.frames() >= kFramesOfPart);
             if (due || part.rows() >= kRowsOfPart) {
                 state = write(part, frames);
                 written_ns = core::steadyNow_ns();
@@ -225,7 +226,8 @@ private:
         return row;
     }
 
-    /// Frames go first: a run that has a row has its frames.
+    /// Frames go first: a run that has a row has its frames. A file whose rows never came is of no run; merging
+    /// leaves it out.
     core::Expected<void> write(PartWriter& part, FrameParts& frames) {
         if (m_options.frames && frames.frames() > 0) {
             TELETA_TRY(const std::string number, part.number());

@@ -36,7 +36,7 @@ struct SweepProgress {
 
 struct SweepOptions {
     std::string folder;      ///< of the sweep
-    std::size_t workers = 0; ///< 0: as many as the machine has cores
+    std::size_t workers = 0; ///< 0: as many as the machine has cores, but one for a ladder, which is timed
     /// This call's share of the runs: all whose number is in [first, end).
     std::uint64_t first = 0;
     std::uint64_t end = kMostRuns;

@@ -11,14 +11,19 @@ Runs of about 20 ms (two balls on a tactile array for 6 s), RUNS of them:
 Runs of about 0.1 ms (the ladder of contours):
   memory     largest resident memory of 10 000 and of 100 000 runs
   merging    time by the clock to merge 100 000 runs and draw their charts, `--merge`
+A million labelled frames, two workers, npz with everything that is known of their contacts:
+  frames     time by the clock, frames and bytes of the shipped sweeps labelled-frames and labelled-servo-frames
 """
 
 import csv
+import glob
 import os
 import subprocess
 import sys
 import tempfile
 import time
+
+import numpy
 
 
 def spent(arguments):
@@ -57,6 +62,16 @@ def main():
             print(f"{number} runs: {memory_kB / 1024:.1f} MB")
         merge_s, merge_processor_s, _ = spent(arguments + ["--merge"])
         print(f"merging 100 000 runs: {merge_s:.2f} s ({merge_processor_s:.2f} s of processor)")
+        for sweep in ("labelled-frames", "labelled-servo-frames"):
+            frames_s, frames_processor_s, memory_kB = spent(
+                [program, "sweep", sweep, "--out", path(sweep), "--frames", "npz", "--workers", "2"])
+            frames = size = 0
+            for name in glob.glob(path(sweep + "/frames/*.npz")):
+                with numpy.load(name) as file:
+                    frames += len(file["run_time_s"])
+                size += os.path.getsize(name)
+            print(f"{sweep}: {frames} frames in {frames_s:.1f} s ({frames_processor_s:.1f} s of processor), "
+                  f"{size / 1e6:.0f} MB on disk, {memory_kB / 1024:.0f} MB of memory")
 
 
 if __name__ == "__main__":

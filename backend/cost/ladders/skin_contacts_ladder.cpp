@@ -154,7 +154,7 @@ Ladder skinContactsLadder() {
             rung("every-summit", "a contact at every summit", all, false),
             rung("watershed", "summits that rise by 30 %", usual, false),
             rung("watershed-3-taxels", "the same, of 3 taxels and more", large, false),
-            rung("watershed-summit", "the same as watershed, at the summit of a paraboloid", usual, true),
+            rung("watershed-3-summit", "the same, at the summit of a paraboloid", large, true),
             limitRung("each taxel of the skin read once", 4, [=](std::size_t index) {
                 const std::vector<float>& raw = (*frames)[index % frames->size()].raw;
                 return static_cast<double>(std::accumulate(raw.begin(), raw.end(), 0.0F));

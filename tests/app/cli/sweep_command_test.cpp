@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <sys/mount.h>
 #include <thread>
 
@@ -177,6 +178,59 @@ assert abs(numpy.median(a["frames"][~loaded])) < 0.2
                    m_folder.path("arm"), "--frames", "npz"})
                   .exitCode,
               2);
+}
+
+// The example of the handbook, as it is printed there, on a small result.
+TEST_F(SweepCommand, writesFramesFromWhichTheHandbooksExampleLearns) {
+    std::string example;
+    for (const char* language : {"en", "fr", "ja", "zh_CN"}) {
+        std::istringstream page(readAll(std::string(TELETA_SOURCE_DIR "/resources/handbook/") + language + "/sweeps.md"));
+        std::string line, block;
+        while (std::getline(page, line) && line != "    import csv")
+            ;
+        do
+            block += (line.starts_with("    ") ? line.substr(4) : line) + "\n";
+        while (std::getline(page, line) && (line.empty() || line.starts_with("    ")));
+        EXPECT_GT(block.size(), 500U) << language;
+        if (example.empty())
+            example = block;
+        EXPECT_EQ(block, example) << language;
+    }
+    const ProgramResult made = run({"sweep",
+                                    m_folder.write("sweep.toml", "[sweep]\nscene = \"tactile-two-contacts\"\n"
+                                                                 "seeds = \"1:4\"\n"),
+                                    "--out", m_folder.path("frames"), "--frames", "npz"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    const std::string learn = m_folder.write("learn.py", example);
+    ASSERT_EQ(std::system(("cd " + m_folder.path("") + " && /usr/bin/python3 " + learn + " > learned.txt").c_str()), 0);
+    std::istringstream said(readAll(m_folder.path("learned.txt")));
+    double centroid_mm = 0.0, learned_mm = 0.0;
+    std::string name, unit;
+    ASSERT_TRUE(said >> name >> centroid_mm >> unit && name == "centroid:") << said.str();
+    ASSERT_TRUE(said >> name >> learned_mm >> unit && name == "learned:") << said.str();
+    // Half the length of the array is 24 mm.
+    EXPECT_GT(learned_mm, 0.0);
+    EXPECT_LT(learned_mm, centroid_mm) << said.str();
+    EXPECT_LT(centroid_mm, 5.0);
+}
+
+TEST_F(SweepCommand, waitsForASchedulerThatDoesNotAnswerForAWhile) {
+    ASSERT_EQ(sweep(kSmall).exitCode, 0);
+    const auto program = [&](const std::string& name, const std::string& text) {
+        std::filesystem::permissions(m_folder.write("bin/" + name, "#!/bin/sh\n" + text),
+                                     std::filesystem::perms::owner_all);
+    };
+    std::filesystem::create_directory(m_folder.path("bin"));
+    program("sbatch", "echo \"$@\" >> " + m_folder.path("asked") + "\necho 7\n");
+    program("squeue", "echo x >> " + m_folder.path("looks") + "\n[ $(wc -l < " + m_folder.path("looks") +
+                          ") -gt 2 ] || { echo 'slurm_load_jobs error: busy' >&2; exit 1; }\n");
+    const std::vector<std::string> command{"sweep", m_folder.path("sweep.toml"), "--out", m_folder.path("out"),
+                                           "--slurm", "--wait", "--allow-failed", "0.25"};
+    const std::vector<std::pair<std::string, std::string>> path{{"PATH", m_folder.path("bin") + ":/usr/bin:/bin"}};
+    const ProgramResult result = run(command, {.environment = path, .outPath = {}});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.err.find("busy; asking again (2 of 9)"), std::string::npos) << result.err;
+    EXPECT_NE(readAll(m_folder.path("asked")).find("--merge --allow-failed 0.25"), std::string::npos);
 }
 
 TEST_F(SweepCommand, saysWhatIsWrongAndWhatThereIs) {

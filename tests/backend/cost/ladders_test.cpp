@@ -135,15 +135,15 @@ TEST(TactileFeaturesLadder, aSummitIsNearerThanACentroidWhereTheBorderCutsTheCon
 }
 
 // Two balls whose contacts run into each other are 14 to 20 mm from their common centroid. Noise puts a
-// summit here and there on the ridge of a cylinder. A ball's summit is not drawn to its neighbour.
-TEST(SkinContactsLadder, theUsualWatershedTellsContactsApartAndASummitIsNearerThanACentroid) {
+// summit here and there on the ridge of a cylinder, and lets a taxel fire where nothing presses: of 10 000
+// some do at 4 standard deviations, three neighbours never.
+TEST(SkinContactsLadder, theUsualWatershedTellsContactsApartAndLeavesNoiseOutByItsSize) {
     const auto errors = meanErrors(ladderNamed("skin-contacts"), 16);
-    for (auto& [a, b] : errors)
-        std::printf("%s %g\n", a.c_str(), b);
     EXPECT_LT(errors.at("watershed"), 0.7 * errors.at("connected"));
     EXPECT_LT(errors.at("watershed"), 0.7 * errors.at("every-summit"));
-    EXPECT_LT(errors.at("watershed-summit"), errors.at("watershed"));
-    EXPECT_LT(errors.at("watershed"), 0.5 * 0.01) << "half the pitch";
+    EXPECT_LT(errors.at("watershed-3-taxels"), 0.5 * errors.at("watershed"));
+    EXPECT_LT(errors.at("watershed-3-taxels"), 0.1 * 0.01) << "a tenth of the pitch";
+    EXPECT_LT(errors.at("watershed-3-summit"), 0.3 * 0.01);
 }
 
 // The ball drags its markers by up to 0.85 of their distance, so that a picture alone takes some for their
@@ -151,8 +151,6 @@ TEST(SkinContactsLadder, theUsualWatershedTellsContactsApartAndASummitIsNearerTh
 // place that is found, from eight a third of it: sqrt(2 / (1 + 1/8)) = 1.33 times the error.
 TEST(GelMarkersLadder, followingKeepsMarkersApartAndMorePicturesAtRestPay) {
     const auto errors = meanErrors(ladderNamed("gel-markers"), 36);
-    for (auto& [a, b] : errors)
-        std::printf("%s %g\n", a.c_str(), b);
     EXPECT_LT(errors.at("followed-8"), 0.1 * errors.at("centres"));
     EXPECT_LT(errors.at("centres"), errors.at("spots"));
     EXPECT_LT(errors.at("followed-8"), 0.95 * errors.at("followed-1"));
@@ -160,9 +158,9 @@ TEST(GelMarkersLadder, followingKeepsMarkersApartAndMorePicturesAtRestPay) {
     EXPECT_GT(errors.at("spots"), 0.3 * 0.1e-3);
 }
 
-// The best point of a grid of 20 thresholds is off by more than what a fit leaves. The likelihood of 120
-// answers is not a parabola, which the profile and the bootstrap know.
-TEST(PsychometricFitLadder, aFitIsNearerThanTheGridAndMoreStartsAreNotWorse) {
+// The likelihood of 120 answers is no parabola, and flat where the slope is at its limit: the normal
+// approximation is too short there, which the profile and the bootstrap know.
+TEST(PsychometricFitLadder, theProfileHoldsTheThresholdWhereTheNormalApproximationDoesNot) {
     const core::Expected<std::vector<Rung>> rungs = ladderNamed("psychometric-fit").makeRungs();
     ASSERT_TRUE(rungs);
     std::map<std::string, double> scores;
@@ -176,11 +174,10 @@ TEST(PsychometricFitLadder, aFitIsNearerThanTheGridAndMoreStartsAreNotWorse) {
         }
         EXPECT_GT(scores[rung.name], 0.0);
     }
-    for (auto& [a, b] : scores)
-        std::printf("%s %g\n", a.c_str(), b);
-    EXPECT_LT(scores.at("several-starts"), scores.at("grid"));
     EXPECT_LE(scores.at("several-starts"), 1.01 * scores.at("one-start"));
-    EXPECT_LT(scores.at("profile"), scores.at("several-starts"));
+    EXPECT_LT(scores.at("profile"), scores.at("grid"));
+    EXPECT_LT(scores.at("profile"), 0.8 * scores.at("several-starts"));
+    EXPECT_LT(scores.at("bootstrap-200"), 0.8 * scores.at("several-starts"));
 }
 
 TEST(UndistortionLadder, newtonIsExactAFixedNumberOfStepsIsNot) {

@@ -228,6 +228,28 @@ TEST(SweptFrames, ofAServoHaveTheNormalOfTheObject) {
     EXPECT_GT(touched, 100U);
 }
 
+// The bar falls away and turns aside, and the array follows it late: the normal in its frame is not the same.
+TEST(SweptFrames, ofTheShippedSweepOfAServoHaveManyNormalsAndAreAMillion) {
+    auto plan = sweep::readSweepPlan(TELETA_SOURCE_DIR "/resources/sweeps/labelled-servo-frames.toml");
+    ASSERT_TRUE(plan) << describe(plan.error());
+    const auto subject = sweep::makeSubject(*plan, sources());
+    ASSERT_TRUE(subject) << describe(subject.error());
+    EXPECT_TRUE((*subject)->hasFrames());
+    std::size_t frames = 0;
+    double lowest = 1.0, highest = -1.0;
+    const auto measures =
+        (*subject)->makeWorker()->run(*plan, 0, plan->seedOf(0), [&](const scene_run::LabelledFrame& frame) {
+            ++frames;
+            for (const scene_run::ContactLabel& contact : frame.contacts) {
+                lowest = std::min(lowest, contact.normal[1]);
+                highest = std::max(highest, contact.normal[1]);
+            }
+        });
+    ASSERT_TRUE(measures) << describe(measures.error());
+    EXPECT_GE(frames * plan->runs(), 1'000'000U);
+    EXPECT_GT(highest - lowest, 0.02) << "a degree";
+}
+
 TEST(SweptFrames, areOnlyOfArrays) {
     sweep::SweepPlan plan = planOf("[sweep]\nscene = \"teleta-touch\"\n");
     const auto subject = sweep::makeSubject(plan, sources());

@@ -46,7 +46,11 @@ TEST(CellMeasure, ofNothingIsNotAvailable) {
 }
 
 TEST(CellMeasure, isAShareByItsValuesAndName) {
-    EXPECT_TRUE(sweep::isShare("completed", {0.0, 1.0, 1.0}));
+    for (const char* share : {"completed", "significant", "refused", "stopped_without_bump", "force_share"})
+        EXPECT_TRUE(sweep::isShare(share, {0.0, 1.0, 1.0})) << share;
+    // A time that is 0 in every run is no share of 0.
+    EXPECT_FALSE(sweep::isShare("contact_lost_s", {0.0, 0.0, 0.0}));
+    EXPECT_FALSE(sweep::isShare("contacts_missed", {0.0, 1.0}));
     EXPECT_TRUE(sweep::isShare("stiffness_covered", {0.8, 1.0}));
     EXPECT_FALSE(sweep::isShare("error_m", {0.8, 1.0}));
     EXPECT_FALSE(sweep::isShare("stiffness_covered", {1.2}));
@@ -114,4 +118,54 @@ TEST(SweepResults, countARunThatIsThereTwiceOnce) {
     EXPECT_EQ(results->cells[0].measures[0].n, 2U);
     EXPECT_EQ(*results->cells[0].measures[0].mean, 2.0);
     EXPECT_EQ(results->cells[1].runs, 0U);
+}
+
+TEST(SweepResults, keepAMeasureThatNoRunCouldDetermine) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path("parts"));
+    sweep::SweepPlan plan = test::numbersPlan(2);
+    // The list was determined in one run; without it the measure has no number.
+    folder.write("parts/0000.csv", "run,status,reason,wall_s,processor_s,sum,lost,list,list[0]\n"
+                                   "0,ok,,0.1,0.1,1.5,NA,NA,NA\n1,ok,,0.1,0.1,2.5,NA,NA,4\n");
+    auto results = sweep::mergeParts(plan, folder.path(""));
+    ASSERT_TRUE(results) << describe(results.error());
+    EXPECT_EQ(results->measures, (std::vector<std::string>{"sum", "list[0]", "lost"}));
+    EXPECT_EQ(results->cells[0].measures[2].n, 0U);
+    EXPECT_FALSE(results->shares[2]);
+    const std::string runs = test::readAll(folder.path("runs.csv"));
+    EXPECT_NE(runs.find("reason,sum,list[0],lost,wall_s"), std::string::npos) << runs;
+    EXPECT_NE(runs.find("ok,,1.5,NA,NA,"), std::string::npos) << runs;
+    EXPECT_NE(test::readAll(folder.path("cells.csv")).find("0,0.5,lost,2,0,0,NA,NA"), std::string::npos);
+    // A plan that names its measures has them in its order.
+    plan.measures = {"lost", "sum", "list"};
+    results = sweep::readResults(plan, folder.path(""));
+    ASSERT_TRUE(results);
+    EXPECT_EQ(results->measures, (std::vector<std::string>{"lost", "sum", "list[0]"}));
+}
+
+TEST(SweepResults, nameTheFileOfFramesThatCounts) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path("parts"));
+    std::filesystem::create_directories(folder.path("frames"));
+    auto plan = sweep::parseSweepPlan("[sweep]\nscene = \"numbers\"\nseeds = \"1:3\"\n", "numbers.toml");
+    ASSERT_TRUE(plan);
+    const std::string head = "run,status,reason,wall_s,processor_s,sum\n";
+    // Run 1 was done twice; run 2 failed; 0002 was written by a task that died before its rows.
+    folder.write("parts/0000.csv", head + "0,ok,,0.1,0.1,1.5\n1,ok,,0.1,0.1,2.5\n");
+    folder.write("parts/0001.csv", head + "1,ok,,0.1,0.1,2.5\n");
+    folder.write("parts/0002.csv", "");
+    for (const char* file : {"frames/0000.npz", "frames/0001.npz", "frames/0002.npz"})
+        folder.write(file, "frames");
+    const std::string named = "run,file\n0,frames/0000.npz\n1,frames/0000.npz\n";
+    ASSERT_TRUE(sweep::mergeParts(*plan, folder.path(""), true));
+    EXPECT_EQ(test::readAll(folder.path("frames.csv")), named);
+    EXPECT_TRUE(std::filesystem::exists(folder.path("frames/0002.npz"))) << "its rows may still come";
+    folder.write("parts/0003.csv", head + "2,failed,lost,0.1,0.1,NA\n");
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_TRUE(sweep::mergeParts(*plan, folder.path(""), true));
+        EXPECT_EQ(test::readAll(folder.path("frames.csv")), named);
+        EXPECT_TRUE(std::filesystem::exists(folder.path("frames/0000.npz")));
+        EXPECT_FALSE(std::filesystem::exists(folder.path("frames/0001.npz")));
+        EXPECT_FALSE(std::filesystem::exists(folder.path("frames/0002.npz")));
+    }
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -122,9 +123,18 @@ TEST_F(Slurm, losesNothingWhenTasksAreKilledAndRequeued) {
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const std::string array = json::parse(result.out)["array"];
     ASSERT_TRUE(within([&] { return queue().find("RUNNING") != std::string::npos; })) << queue();
-    // One task is put back by the scheduler, the other dies.
+    // One task is put back by the scheduler, the processes of the other die.
     EXPECT_EQ(shell("scontrol requeue " + array + "_0"), 0);
-    shell("pkill -KILL -f -- '--task 1 --tasks 2'; pkill -KILL -f 'TASK_ID|--task 1'");
+    const auto killed = [&] {
+        const std::string job = outputOf("squeue --noheader --array --jobs=" + array + "_1 --format=%A");
+        std::istringstream pids(outputOf("scontrol listpids " + job.substr(0, job.find('\n')) +
+                                         " | awk 'NR > 1 && $1 > 1 { print $1 }'"));
+        int count = 0;
+        for (int pid = 0; pids >> pid;)
+            count += kill(pid, SIGKILL) == 0 ? 1 : 0;
+        return count > 0;
+    };
+    EXPECT_TRUE(within(killed)) << queue();
     ASSERT_TRUE(within([&] { return queue().empty(); })) << queue();
     // What the killed task has not done is missing, which the command says and then does.
     const ProgramResult rest = sweep({"--out", m_folder.path("s")});

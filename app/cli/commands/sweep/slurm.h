@@ -15,6 +15,7 @@ struct SlurmJob {
     std::string sweepFile; ///< absolute
     std::string folder;    ///< absolute, shared by the nodes
     bool frames = false;
+    double allowFailed = 0.0; ///< share of the runs that may fail before merging is an error
     std::uint64_t tasks = 1;
     std::vector<std::string> options; ///< of sbatch, "--partition=short"
 };

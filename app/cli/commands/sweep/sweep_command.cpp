@@ -34,6 +34,8 @@ namespace teleta::cli {
 namespace {
 
 constexpr std::chrono::seconds kBetweenLooks{2};
+/// A scheduler that is busy or restarts does not answer for a while.
+constexpr int kMostUnanswered = 10;
 constexpr std::uint64_t kTasksByDefault = 100;
 constexpr double kMostTasks = 1e6;
 
@@ -61,7 +63,8 @@ public:
                                 "interrupted goes on in it"),
                   "DIR");
         addOption(app, "--workers", m_workers,
-                  SweepText::tr("Runs at the same time; otherwise as many as the machine has cores"),
+                  SweepText::tr("Runs at the same time; otherwise as many as the machine has cores, and one of a "
+                                "ladder, which is timed"),
                   between(1, 1024), "N");
         addFlag(app, "--restart", m_restart,
                 SweepText::tr("Throw away what the folder has of an earlier sweep"));
@@ -201,6 +204,7 @@ private:
         job.sweepFile = QFileInfo::exists(QString::fromStdString(m_file)) ? absolute(m_file) : m_file;
         job.folder = absolute(m_folder);
         job.frames = folder.frames;
+        job.allowFailed = m_allowFailed;
         job.tasks = m_tasks.value_or(kTasksByDefault);
         if (m_runsPerTask)
             job.tasks = (plan.runs() + *m_runsPerTask - 1) / *m_runsPerTask;
@@ -226,10 +230,23 @@ private:
         SweepScreen screen(plan);
         const auto start = std::chrono::steady_clock::now();
         std::optional<std::uint64_t> before;
+        int unanswered = 0;
         for (;;) {
             if (interrupted())
                 return core::Unexpected(interruption()); // the jobs go on
-            TELETA_TRY(const std::uint64_t tasks, tasksInSlurm({submitted.array, submitted.merge}));
+            const core::Expected<std::uint64_t> tasks = tasksInSlurm({submitted.array, submitted.merge});
+            if (!tasks) {
+                if (++unanswered >= kMostUnanswered)
+                    return core::Unexpected(tasks.error());
+                screen.erase();
+                warn(SweepText::tr("%1; asking again (%2 of %3)")
+                                 .arg(QString::fromStdString(describe(tasks.error())))
+                                 .arg(unanswered)
+                                 .arg(kMostUnanswered - 1));
+                std::this_thread::sleep_for(kBetweenLooks);
+                continue;
+            }
+            unanswered = 0;
             TELETA_TRY(const std::vector<bool> finished, sweep::finishedRuns(m_folder, plan.runs()));
             const auto done = static_cast<std::uint64_t>(std::ranges::count(finished, true));
             if (!before)
@@ -242,7 +259,7 @@ private:
                                                    static_cast<double>(done - *before)
                                              : std::numeric_limits<double>::quiet_NaN();
             screen.update(progress);
-            if (tasks == 0)
+            if (*tasks == 0)
                 break;
             std::this_thread::sleep_for(kBetweenLooks);
         }
