@@ -29,6 +29,8 @@ TipRates tipRates(const SerialChain& chain, const core::JointVector& q, const Ti
     // J J^T = U S^2 U^T; the damped inverse needs no V.
     const Eigen::Matrix<double, 6, 6> squared = jacobian * jacobian.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(squared);
+    // Of fewer than six joints so many directions are moved by none in any pose; they come first.
+    const Eigen::Index neverMoved = 6 - std::min<Eigen::Index>(6, jacobian.cols());
     Eigen::Vector<double, 6> weighted = Eigen::Vector<double, 6>::Zero();
     Eigen::Vector<double, 6> done = Eigen::Vector<double, 6>::Zero();
     for (Eigen::Index i = 0; i < 6; ++i) {
@@ -38,7 +40,7 @@ TipRates tipRates(const SerialChain& chain, const core::JointVector& q, const Ti
         double damping_m2 = 0.0;
         if (constexpr double kLeast_m2 = kLeastLever_m * kLeastLever_m; lever2_m2 < kLeast_m2) {
             damping_m2 = 0.25 * (kLeast_m2 - lever2_m2);
-            result.singular = result.singular || std::abs(along) > 1e-3 * wanted.norm();
+            result.singular = result.singular || (i >= neverMoved && std::abs(along) > 1e-3 * wanted.norm());
         }
         weighted += along / (lever2_m2 + damping_m2) * direction;
         done += along * lever2_m2 / (lever2_m2 + damping_m2) * direction;

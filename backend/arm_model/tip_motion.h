@@ -18,7 +18,9 @@ struct TipTwist {
 struct TipRates {
     core::JointVector rate; ///< rad/s, prismatic m/s
     double followed = 1.0;  ///< share of the twist that the rates carry out, 0..1; small near a singularity
-    bool singular = false;  ///< damping acts: the tip is slower than asked
+    /// Damping acts: the tip is slower than asked. Directions which an arm of few joints moves in no pose do
+    /// not count.
+    bool singular = false;
 };
 
 /// Joint rates that move the tip with a twist, by least squares that are damped where the arm is near a

@@ -61,6 +61,7 @@ TEST(TipMotion, anArmOfTwoJointsDoesTheNearestThatItCan) {
     const TipRates sideways = arm_model::tipRates(arm, {0.4, -1.1}, {{0.0, 0.05, 0.0}});
     EXPECT_LT(asVector(sideways.rate).norm(), 1e-12);
     EXPECT_LT(sideways.followed, 1e-12);
+    EXPECT_FALSE(sideways.singular) << "it moves that way in no pose";
 }
 
 TEST(TipMotion, ratesStayBoundedThroughASingularity) {
@@ -82,6 +83,25 @@ TEST(TipMotion, ratesStayBoundedThroughASingularity) {
         EXPECT_GE(rates.followed, 0.0);
         EXPECT_LE(rates.followed, 1.0);
     }
+}
+
+TEST(TipMotion, aStretchedArmIsSingularAlongItself) {
+    const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf");
+    ASSERT_TRUE(model) << core::describe(model.error());
+    const auto arm =
+        SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model), "base_link", "tool0");
+    ASSERT_TRUE(arm) << core::describe(arm.error());
+    const auto along = [&](const core::JointVector& q, const Eigen::Vector3d& direction) {
+        return arm_model::tipRates(*arm, q, {0.05 * direction, Eigen::Vector3d::Zero()});
+    };
+    const core::JointVector zeros = core::JointVector::zeros(7);
+    const Eigen::Vector3d itself = arm->X_Base_Tip(zeros).translation().normalized();
+    const TipRates stretched = along(zeros, itself);
+    EXPECT_TRUE(stretched.singular);
+    EXPECT_LT(stretched.followed, 0.1);
+    const TipRates bent = along({0.0, 0.6, 0.0, -1.2, 0.0, 0.8, 0.0}, itself);
+    EXPECT_FALSE(bent.singular);
+    EXPECT_NEAR(bent.followed, 1.0, 1e-9);
 }
 
 TEST(TipMotion, whatIsNotFiniteMovesNothing) {
