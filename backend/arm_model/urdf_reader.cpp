@@ -329,7 +329,8 @@ core::Expected<ArmModel> parseUrdf(std::string_view text, const std::string& fil
     if (!parsed || !parsed->getRoot())
         return bad(file,
                    errors.first.empty() ? UrdfText::tr("this is not a robot")
-                                        : QString::fromStdString(errors.first),
+                                        : UrdfText::tr("this cannot be read as a robot (%1)")
+                                              .arg(QString::fromStdString(errors.first)),
                    UrdfText::tr("a tree of links and joints, http://wiki.ros.org/urdf/XML"));
     TELETA_TRY(ArmModel model, Builder(*parsed, file).build());
     model.urdf = text;
