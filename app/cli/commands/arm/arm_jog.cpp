@@ -5,7 +5,7 @@
 #include "app/cli/base/interruption.h"
 #include "app/cli/base/options.h"
 #include "app/cli/commands/arm/jog_target.h"
-#include "backend/arm_model/motion_limits.h"
+#include "backend/arm_model/limit_texts.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
@@ -34,8 +34,6 @@ namespace teleta::cli {
 
 namespace {
 
-using arm_model::MotionFlag;
-
 struct ArmJogText {
     Q_DECLARE_TR_FUNCTIONS(ArmJogText)
 };
@@ -47,23 +45,6 @@ constexpr std::int64_t kRestWait_ns = 3'000'000'000;
 /// Without motion for so long the arm is at rest.
 constexpr std::int64_t kRestTime_ns = 300'000'000;
 constexpr double kRestTolerance = 1e-3; ///< rad or m
-
-struct Limit {
-    MotionFlag flag;
-    const char* name; ///< for other programs
-    QString text;
-};
-
-/// All but the acceleration, which acts in each motion.
-std::vector<Limit> limitTexts() {
-    return {{MotionFlag::jointRate, "joint_rate", ArmJogText::tr("joint speed")},
-            {MotionFlag::tipSpeed, "tip_speed", ArmJogText::tr("tip speed")},
-            {MotionFlag::jointEnd, "joint_end", ArmJogText::tr("joint limit")},
-            {MotionFlag::workspace, "workspace", ArmJogText::tr("workspace box")},
-            {MotionFlag::effort, "effort", ArmJogText::tr("effort")},
-            {MotionFlag::force, "force", ArmJogText::tr("force")},
-            {MotionFlag::leash, "leash", ArmJogText::tr("the arm lags behind")}};
-}
 
 /// One joint of the arm and the operator's hand on it.
 class Jog {
@@ -192,7 +173,7 @@ JogResult move(Jog& jog, const JogTarget& target, double rate, double time_s) {
 core::Expected<void> print(const JogResult& result, const ArmJogOptions& options, const QString& unit) {
     if (options.json) {
         nlohmann::ordered_json limits = nlohmann::ordered_json::array();
-        for (const Limit& limit : limitTexts()) {
+        for (const arm_model::NamedLimit& limit : arm_model::namedLimits()) {
             if ((result.flags & static_cast<std::uint32_t>(limit.flag)) != 0)
                 limits.push_back(limit.name);
         }
@@ -211,11 +192,7 @@ core::Expected<void> print(const JogResult& result, const ArmJogOptions& options
                                   .arg(forPeople(*result.toRest_s, 3))
                             : ArmJogText::tr("It was not seen to come to rest.");
     text += QLatin1Char('\n');
-    QStringList limits;
-    for (const Limit& limit : limitTexts()) {
-        if ((result.flags & static_cast<std::uint32_t>(limit.flag)) != 0)
-            limits << limit.text;
-    }
+    const QStringList limits = arm_model::limitTexts(result.flags);
     if (!limits.isEmpty())
         text +=
             ArmJogText::tr("Active limits: %1.").arg(limits.join(QStringLiteral(", "))) + QLatin1Char('\n');
