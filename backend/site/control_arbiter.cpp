@@ -30,14 +30,21 @@ void ControlArbiter::requireNewPress() {
         m_pressFloor = found->second.highestPress;
 }
 
-void ControlArbiter::closeOffer(RequestAnswer answer) {
+void ControlArbiter::closeOffer(RequestAnswer answer, const std::optional<std::string>& declined) {
     if (!m_offer)
         return;
     const auto asker = m_consoles.find(m_offer->asker);
     if (asker != m_consoles.end()) {
-        const auto waiting = asker->second.answers.find(m_offer->request);
-        if (waiting != asker->second.answers.end())
+        Console& console = asker->second;
+        const auto waiting = console.answers.find(m_offer->request);
+        if (waiting != console.answers.end())
             waiting->second = answer;
+        if (declined) {
+            console.declined[m_offer->request] =
+                declined->size() > kLongestReason_bytes ? std::string() : *declined;
+            while (console.declined.size() > kKeptAnswers)
+                console.declined.erase(console.declined.begin());
+        }
     }
     m_offer.reset();
     requireNewPress();
@@ -170,9 +177,9 @@ RequestAnswer ControlArbiter::carryOut(const std::string& console, RequestKind k
         m_moving = false;
         return RequestAnswer::waits;
     case RequestKind::accept:
-        return answerOffer(console, true, now_ns);
+        return answerOffer(console, true, {}, now_ns);
     case RequestKind::decline:
-        return answerOffer(console, false, now_ns);
+        return answerOffer(console, false, target, now_ns);
     case RequestKind::withdrawStop:
         if (!isSupervisor || alive(target, now_ns))
             return RequestAnswer::notPermitted;
@@ -192,7 +199,8 @@ RequestAnswer ControlArbiter::carryOut(const std::string& console, RequestKind k
     return RequestAnswer::notPermitted;
 }
 
-RequestAnswer ControlArbiter::answerOffer(const std::string& console, bool accepts, std::int64_t now_ns) {
+RequestAnswer ControlArbiter::answerOffer(const std::string& console, bool accepts, const std::string& reason,
+                                          std::int64_t now_ns) {
     if (!m_offer)
         return RequestAnswer::expired;
     // A hand-over is accepted by the one who gets control; a take-over is agreed to by the one who loses it.
@@ -204,7 +212,8 @@ RequestAnswer ControlArbiter::answerOffer(const std::string& console, bool accep
     if (accepts && isStopped())
         return RequestAnswer::stopped;
     const std::string to = m_offer->to;
-    closeOffer(accepts ? RequestAnswer::done : RequestAnswer::expired);
+    closeOffer(accepts ? RequestAnswer::done : RequestAnswer::expired,
+               accepts || givesUp ? std::nullopt : std::optional(reason));
     if (accepts)
         grant(to, now_ns);
     return RequestAnswer::done;
@@ -331,6 +340,20 @@ RequestAnswer ControlArbiter::answerTo(const std::string& console, std::uint64_t
         return RequestAnswer::waits;
     const auto answer = found->second.answers.find(id);
     return answer == found->second.answers.end() ? RequestAnswer::waits : answer->second;
+}
+
+std::optional<std::string> ControlArbiter::declinedFor(const std::string& console, std::uint64_t id) const {
+    const auto found = m_consoles.find(console);
+    if (found == m_consoles.end())
+        return std::nullopt;
+    const auto reason = found->second.declined.find(id);
+    return reason == found->second.declined.end() ? std::nullopt : std::optional(reason->second);
+}
+
+bool ControlArbiter::isNameTaken(const std::string& console, const BootName& boot,
+                                 std::int64_t now_ns) const {
+    const auto found = m_consoles.find(console);
+    return found != m_consoles.end() && found->second.boot != boot && alive(console, now_ns);
 }
 
 } // namespace teleta::site

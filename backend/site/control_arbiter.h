@@ -68,6 +68,7 @@ enum class CommandRefusal : std::uint8_t {
     notLive = 9, ///< the arm's readings are stale, or it has a fault
     otherBoot = 10,
 };
+inline constexpr std::size_t kRefusals = 11; ///< values of CommandRefusal
 
 /// What a console tells of itself, ten times a second.
 struct Presence {
@@ -104,6 +105,8 @@ class ControlArbiter {
 public:
     /// The holder of STOP that is the site itself.
     static constexpr const char* kSiteHolder = "site";
+    /// A longer reason of a decline is dropped.
+    static constexpr std::size_t kLongestReason_bytes = 400;
 
     explicit ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times = {});
 
@@ -114,7 +117,8 @@ public:
     bool presence(const std::string& console, const Presence& presence, std::int64_t now_ns);
 
     /// A request; the same id of the same console is answered as before without doing it again. target: the
-    /// console that it is about (offer, withdrawStop). waits: an offer or a take-over is open.
+    /// console that it is about (offer, withdrawStop); of decline, the reason, at most kLongestReason_bytes.
+    /// waits: an offer or a take-over is open.
     RequestAnswer request(const std::string& console, const BootName& boot, std::uint64_t id,
                           RequestKind kind, const std::string& target, std::int64_t now_ns);
 
@@ -144,6 +148,12 @@ public:
     [[nodiscard]] std::set<std::string> viewers(std::int64_t now_ns) const;
     /// The answer to a request so far; waits when it is not known.
     [[nodiscard]] RequestAnswer answerTo(const std::string& console, std::uint64_t id) const;
+    /// Why another console declined what was asked with this request, empty without a reason; nothing: it was
+    /// not declined.
+    [[nodiscard]] std::optional<std::string> declinedFor(const std::string& console, std::uint64_t id) const;
+    /// Another program of that name is alive: this one is answered noSuchConsole whatever it asks.
+    [[nodiscard]] bool isNameTaken(const std::string& console, const BootName& boot,
+                                   std::int64_t now_ns) const;
     [[nodiscard]] std::uint64_t accepted() const { return m_accepted; }
     [[nodiscard]] std::uint64_t refused(CommandRefusal why) const {
         return m_refused[static_cast<std::size_t>(why)];
@@ -158,6 +168,7 @@ private:
         bool hasNumber = false;
         std::uint32_t highestPress = 0;                 ///< of all commands seen, refused ones too
         std::map<std::uint64_t, RequestAnswer> answers; ///< of the last requests
+        std::map<std::uint64_t, std::string> declined;  ///< reasons, of those of them that were
     };
     struct Offer {
         std::string to;
@@ -171,10 +182,11 @@ private:
     [[nodiscard]] bool isStopped() const { return m_siteStop || !m_stops.empty(); }
     RequestAnswer carryOut(const std::string& console, RequestKind kind, const std::string& target,
                            std::uint64_t id, std::int64_t now_ns);
-    RequestAnswer answerOffer(const std::string& console, bool accepts, std::int64_t now_ns);
+    RequestAnswer answerOffer(const std::string& console, bool accepts, const std::string& reason,
+                              std::int64_t now_ns);
     void grant(const std::string& console, std::int64_t now_ns);
     void release(std::int64_t now_ns);
-    void closeOffer(RequestAnswer answer);
+    void closeOffer(RequestAnswer answer, const std::optional<std::string>& declined = {});
     void requireNewPress();
     [[nodiscard]] CommandRefusal judge(const std::string& console, const CommandHead& head,
                                        std::int64_t now_ns) const;
@@ -199,7 +211,7 @@ private:
     bool m_moving = false;
 
     std::uint64_t m_accepted = 0;
-    std::array<std::uint64_t, 11> m_refused{};
+    std::array<std::uint64_t, kRefusals> m_refused{};
 };
 
 } // namespace teleta::site

@@ -6,6 +6,7 @@
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/urgent_thread.h"
 #include "devices/site/boot_name.h"
+#include "devices/site/decline_message.h"
 #include "devices/site/lent_texts.h"
 #include "devices/site/site_streams.h"
 #include "devices/site/stream_descriptions.h"
@@ -59,7 +60,7 @@ std::string messageOf(RequestAnswer answer) {
     case RequestAnswer::stopped:
         return "STOP is engaged";
     case RequestAnswer::expired:
-        return "it was declined, or nobody answered in time";
+        return "nobody answered in time";
     }
     return {};
 }
@@ -308,8 +309,12 @@ void SiteControl::take(ConsoleEnds& console, const ros::ControlRequest& request,
     const std::string target = textOf(request.target);
     if (request.kind >= static_cast<std::uint8_t>(RequestKind::request) &&
         request.kind <= static_cast<std::uint8_t>(RequestKind::clearFault)) {
-        (void)m_arbiter.request(console.name, bootNameOf(request.console_boot), request.request,
-                                static_cast<RequestKind>(request.kind), target, now_ns);
+        const site::BootName boot = bootNameOf(request.console_boot);
+        const RequestAnswer answer = m_arbiter.request(
+            console.name, boot, request.request, static_cast<RequestKind>(request.kind), target, now_ns);
+        // The arbiter keeps no answers for a second program of that name.
+        if (m_arbiter.isNameTaken(console.name, boot, now_ns))
+            known->answer = answer;
         return;
     }
     const SiteArm* arm = armOf(target);
@@ -441,7 +446,8 @@ void SiteControl::tellState(std::int64_t now_ns) {
             result.console = texts(name);
             result.request = request.id;
             result.result = static_cast<std::uint8_t>(answer);
-            result.message = texts(messageOf(answer));
+            const std::optional<std::string> declined = m_arbiter.declinedFor(name, request.id);
+            result.message = texts(declined ? declineMessage(*declined) : messageOf(answer));
             results.push_back(result);
         }
     }

@@ -168,6 +168,45 @@ TEST(ControlArbiter, handsOverToTheOneWhoAccepts) {
     EXPECT_EQ(site.command("two", 1), CommandRefusal::none);
 }
 
+TEST(ControlArbiter, whoDeclinesMaySayWhy) {
+    Site site;
+    ASSERT_EQ(site.ask("one", RequestKind::request), RequestAnswer::done);
+    ASSERT_EQ(site.ask("two", RequestKind::takeOver), RequestAnswer::waits);
+    const std::uint64_t first = site.lastRequest();
+    EXPECT_FALSE(site.arbiter.declinedFor("two", first));
+    EXPECT_EQ(site.ask("one", RequestKind::decline, "nearly done"), RequestAnswer::done);
+    EXPECT_EQ(site.arbiter.answerTo("two", first), RequestAnswer::expired);
+    EXPECT_EQ(site.arbiter.declinedFor("two", first), "nearly done");
+    EXPECT_EQ(site.arbiter.controller(), "one");
+
+    // Without a reason, and with one that is too long.
+    for (const std::string& reason :
+         {std::string(), std::string(ControlArbiter::kLongestReason_bytes + 1, 'x')}) {
+        ASSERT_EQ(site.ask("one", RequestKind::offer, "two"), RequestAnswer::waits);
+        const std::uint64_t offer = site.lastRequest();
+        EXPECT_EQ(site.ask("two", RequestKind::decline, reason), RequestAnswer::done);
+        EXPECT_EQ(site.arbiter.declinedFor("one", offer), "");
+    }
+    // Who gives its own wish up is not declined, nor is one that nobody answered.
+    ASSERT_EQ(site.ask("two", RequestKind::takeOver), RequestAnswer::waits);
+    const std::uint64_t given = site.lastRequest();
+    EXPECT_EQ(site.ask("two", RequestKind::decline, "never mind"), RequestAnswer::done);
+    EXPECT_EQ(site.arbiter.answerTo("two", given), RequestAnswer::expired);
+    EXPECT_FALSE(site.arbiter.declinedFor("two", given));
+}
+
+TEST(ControlArbiter, aSecondProgramOfANameIsKnown) {
+    Site site;
+    EXPECT_FALSE(site.arbiter.isNameTaken("one", boot(1), site.now_ns));
+    EXPECT_TRUE(site.arbiter.isNameTaken("one", boot(9), site.now_ns));
+    EXPECT_FALSE(site.arbiter.isNameTaken("nobody", boot(9), site.now_ns));
+    EXPECT_EQ(site.arbiter.request("one", boot(9), 7, RequestKind::request, {}, site.now_ns),
+              RequestAnswer::noSuchConsole);
+    // The first one has vanished.
+    site.pass(2 * kSecond);
+    EXPECT_FALSE(site.arbiter.isNameTaken("one", boot(9), site.now_ns));
+}
+
 TEST(ControlArbiter, anOfferThatIsDeclinedOrForgottenChangesNothingButThePress) {
     Site site;
     site.ask("one", RequestKind::request);
