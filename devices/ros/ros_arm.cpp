@@ -5,6 +5,7 @@
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/urgent_thread.h"
 #include "backend/ros/topic_names.h"
+#include "devices/dds/qos_text.h"
 #include "devices/ros/arm_chain.h"
 #include "devices/ros/wall_clock.h"
 
@@ -51,6 +52,11 @@ core::ArmDescription describeArm(const RosArmFile& file, const arm_model::Serial
     for (double& fastest : arm.fastest_radPerS)
         fastest *= file.limits.speedScale;
     return arm;
+}
+
+/// Why two ends of a topic did not find each other, behind what is missing.
+QString withReason(const QString& text, const std::optional<ros::QosMismatch>& mismatch) {
+    return mismatch ? text + QStringLiteral(" (") + dds::describe(*mismatch) + QLatin1Char(')') : text;
 }
 
 } // namespace
@@ -115,6 +121,13 @@ RosArm::RosArm(RosArmFile file, std::shared_ptr<const arm_model::SerialChain> ch
 
 void RosArm::post(const core::ArmCommand& command) {
     m_mover.post(command, core::steadyNow_ns());
+}
+
+core::ArmReport RosArm::report() const {
+    RosArmState state = m_state.get();
+    const bool tellsEffort = m_file.effortUnit != EffortUnit::none;
+    return {state.mover.flags, state.rate, tellsEffort ? state.effort : core::JointVector(),
+            m_file.effortUnit == EffortUnit::ampere, std::move(state.unknownJoints)};
 }
 
 void RosArm::open(core::Wakeup& consumer) {
@@ -207,6 +220,8 @@ void RosArm::lookAround(std::int64_t now_ns) {
         return;
     m_nextLook_ns = now_ns + kLook_ns;
     m_controllers = m_ends.commander->writer().matched();
+    m_controllerMismatch = m_ends.commander->writer().incompatible();
+    m_jointMismatch = m_ends.reader.incompatible();
     const dds::Guid own = m_ends.commander->writer().guid();
     m_otherWriter =
         std::ranges::any_of(m_ends.discovery.endsOf(ros::ddsTopicOf(m_file.commandTopic())),
@@ -263,8 +278,13 @@ void RosArm::step(std::int64_t now_ns) {
     state.ready = ready;
     state.unsent = m_unsent;
     state.counters = m_watch.joiner().counters();
-    if (joints)
+    if (joints) {
+        state.rate = joints->velocity;
         state.effort = joints->effort;
+    }
+    for (std::string& name : m_watch.joiner().takeUnknownNames())
+        m_unknownJoints.push_back(std::move(name));
+    state.unknownJoints = m_unknownJoints;
     state.effortMissing = effortMissing;
     state.forceMissing = forceMissing;
     state.lacking = std::move(lacking);
@@ -285,8 +305,10 @@ QString RosArm::problemOf(const RosArmState& state) const {
         QStringList names;
         for (const std::string& name : state.missing)
             names << QString::fromStdString(name);
-        return RosArmText::tr("%1 does not report: %2")
-            .arg(QString::fromStdString(m_file.jointStates), names.join(QStringLiteral(", ")));
+        return withReason(
+            RosArmText::tr("%1 does not report: %2")
+                .arg(QString::fromStdString(m_file.jointStates), names.join(QStringLiteral(", "))),
+            m_jointMismatch);
     }
     if (state.effortMissing)
         return RosArmText::tr("%1 reports no effort, so effort_stop cannot work")
@@ -309,7 +331,9 @@ QString RosArm::problemOf(const RosArmState& state) const {
             .arg(kEarliestStamp_s)
             .arg(kLatestStamp_s);
     if (state.controllers == 0)
-        return RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic()));
+        return withReason(
+            RosArmText::tr("no controller reads %1").arg(QString::fromStdString(m_file.commandTopic())),
+            m_controllerMismatch);
     if (!state.ready)
         return RosArmText::tr("looking for other programs");
     if (state.mover.ignoresPress)

@@ -3,6 +3,7 @@
 
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/arm_device.h"
+#include "backend/core/device/arm_report.h"
 #include "backend/core/device/joint_outlet.h"
 #include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
@@ -50,7 +51,10 @@ struct RosArmState {
     ros::JointCounters counters;
     /// Why it does not move, a translated sentence without a full stop; empty: it may.
     std::string problem;
+    core::JointVector rate;   ///< as told, rad/s (prismatic: m/s); empty: not told
     core::JointVector effort; ///< as told, in the unit of the file; empty: not told
+    /// Joints that the arm tells and its description does not have, each once since the start.
+    std::vector<std::string> unknownJoints{};
 };
 
 /// An arm over ROS 2: joint samples from the topic of joint states, and motion through the controller that
@@ -60,7 +64,7 @@ struct RosArmState {
 /// how far, see TrajectoryMover; what is in the way is in state(). Nothing is sent before the operator's
 /// first command, and nothing moves in the first kSettling_ns, in which other programs are found.
 /// Thread: as core::ArmSource; state() from any.
-class RosArm : public core::ArmSource {
+class RosArm : public core::ArmSource, public core::ReportingArm {
 public:
     static constexpr std::int64_t kSettling_ns = 2'500'000'000;
     /// Joints that are not told for longer than that, once they were, are a fault. The arm is held long
@@ -87,6 +91,7 @@ public:
     void post(const core::ArmCommand& command) override;
 
     [[nodiscard]] RosArmState state() const { return m_state.get(); }
+    [[nodiscard]] core::ArmReport report() const override;
     /// RosArmState::problem
     [[nodiscard]] std::string hindrance() const override { return m_state.get().problem; }
     [[nodiscard]] const arm_model::SerialChain& chain() const { return *m_chain; }
@@ -144,6 +149,9 @@ private:
     std::optional<std::int64_t> m_known_ns; ///< when all joints were known the last time
     std::size_t m_controllers = 0;
     bool m_otherWriter = false;
+    std::optional<ros::QosMismatch> m_jointMismatch;      ///< of who publishes the joint states
+    std::optional<ros::QosMismatch> m_controllerMismatch; ///< of who subscribes to the commands
+    std::vector<std::string> m_unknownJoints;
     std::uint64_t m_unsent = 0;
     bool m_discontinuity = false;
 

@@ -63,6 +63,7 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Sc
     connect(m_contour, &touch::ContourView::forgetRequested, this, &ArmViews::forgetContour);
     connect(m_joints, &JointViews::exportFailed, this, &ArmViews::exportFailed);
     connect(m_joints, &JointViews::meshesFailed, this, &ArmViews::meshesFailed);
+    connect(m_joints, &JointViews::jointsUnknown, this, &ArmViews::jointsUnknown);
 }
 
 void ArmViews::addTo(OperateDocks& docks) {

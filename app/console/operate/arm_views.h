@@ -74,6 +74,7 @@ public:
 signals:
     void exportFailed(const QString& message);
     void meshesFailed(const QString& message);
+    void jointsUnknown(const QString& message);
 
 private:
     /// State kept for an arm that is not shown.

@@ -3,6 +3,7 @@
 
 #include "app/console/operate/joint_dials.h"
 #include "backend/arm_model/serial_chain.h"
+#include "backend/core/device/arm_report.h"
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/touch/skin_touches.h"
@@ -133,6 +134,7 @@ void JointViews::clear() {
     m_shown.reset();
     m_present = 0;
     m_wrench_ns = 0;
+    m_unknownJoints = 0;
     m_jog->setWrench(std::nullopt);
     m_asked = false;
     m_silent = false;
@@ -177,10 +179,24 @@ void JointViews::tick() {
         showScenery();
         showWrench();
         m_jog->setDrive(m_arm->device().drive());
+        showReport();
         m_jog->setHindrance(QString::fromStdString(m_arm->device().hindrance()));
     }
     m_silent = m_arm && (readingsWait() || readingsAreOld(*m_arm));
     m_jog->setReadingsOld(m_silent);
+}
+
+void JointViews::showReport() {
+    const auto* reporting = dynamic_cast<const core::ReportingArm*>(&m_arm->device());
+    const core::ArmReport report = reporting != nullptr ? reporting->report() : core::ArmReport();
+    m_jog->setReport(report);
+    // Each name is told once.
+    QStringList names;
+    for (; m_unknownJoints < report.unknownJoints.size(); ++m_unknownJoints)
+        names << QString::fromStdString(report.unknownJoints[m_unknownJoints]);
+    if (!names.isEmpty())
+        emit jointsUnknown(tr("The arm reports joints that its description does not have: %1.")
+                               .arg(names.join(QStringLiteral(", "))));
 }
 
 void JointViews::show(const core::JointSample& sample) {

@@ -71,6 +71,8 @@ signals:
     void exportFailed(const QString& message);
     /// The arm's meshes cannot be shown; a sentence.
     void meshesFailed(const QString& message);
+    /// The arm tells joints that its description does not have; a sentence.
+    void jointsUnknown(const QString& message);
 
 private:
     void followTip();
@@ -79,6 +81,7 @@ private:
     void showRobot(const core::JointSample& sample);
     void showScenery();
     void showWrench();
+    void showReport();
     void post(const core::JointVector& rate_radPerS);
     bool readingsWait();
     void clear();
@@ -100,6 +103,7 @@ private:
     std::optional<core::JointSample> m_shown; ///< of an arm with a chain
     std::uint64_t m_present = 0;              ///< ArmSource::presentObjects(), as drawn
     std::int64_t m_wrench_ns = 0;             ///< of the force that is shown; 0: none
+    std::size_t m_unknownJoints = 0;          ///< names of ArmReport::unknownJoints that were told
     double m_tip_s = 0.0;                     ///< of the arm, when the tip was told last
     bool m_asked = false;                     ///< the last command was to move
     bool m_silent = false;

@@ -162,6 +162,12 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
                           tr("Check mesh_path in the file with which you opened the arm or its site."),
                           {}});
     });
+    connect(m_arm, &ArmViews::jointsUnknown, this, [this](const QString& text) {
+        m_messages->post({chrome::Message::Severity::information,
+                          text,
+                          tr("They are left out. Compare [joint_names] in the arm's file."),
+                          {}});
+    });
     connect(m_camera, &CameraViews::exportFailed, this, report);
     connect(m_gel, &GelViews::exportFailed, this, report);
     connect(m_looking, &SceneViews::exportFailed, this, report);

@@ -64,6 +64,15 @@ std::string RemoteArm::hindrance() const {
     return hindranceOf(m_site->view(), m_site->file().console, m_name);
 }
 
+core::ArmReport RemoteArm::report() const {
+    const SiteView view = m_site->view();
+    const auto found = std::ranges::find(view.arms, m_name, &RemoteArmState::name);
+    core::ArmReport report;
+    if (view.reached && found != view.arms.end())
+        report.activeLimits = found->flags;
+    return report;
+}
+
 void RemoteArm::open(core::Wakeup& consumer) {
     m_outlet.open(consumer, core::steadyNow_ns());
 }

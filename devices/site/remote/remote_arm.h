@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
+#include "backend/core/device/arm_report.h"
 #include "backend/core/device/joint_outlet.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
@@ -22,7 +23,7 @@ namespace teleta::site_link {
 /// control. Times are those of the reads at the site, by the clock here.
 ///   connecting -> live <-> stale; stop(): closed
 /// Thread: as core::ArmSource.
-class RemoteArm : public core::ArmSource {
+class RemoteArm : public core::ArmSource, public core::ReportingArm {
 public:
     /// name: of the arm at the site. description: as the site describes it. hasWrench: the site sends what
     /// the arm's sensor of force and torque measures. Error: unavailable, its topics cannot be opened.
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] core::DeviceStatus status() const override { return m_outlet.status(); }
     [[nodiscard]] core::ArmDrive drive() const override;
     [[nodiscard]] std::string hindrance() const override;
+    /// The limits that act, as the site told last.
+    [[nodiscard]] core::ArmReport report() const override;
     void post(const core::ArmCommand& command) override { m_site->post(m_name, command); }
 
 private:

@@ -123,6 +123,40 @@ private slots:
         QVERIFY(!desk.panel->isMoving());
     }
 
+    /// An arm that is stretched out cannot move its tip along itself.
+    void nearASingularityItSaysThatTheTipIsSlower() {
+        Desk desk;
+        QVERIFY(desk.active);
+        const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf");
+        QVERIFY(model.has_value());
+        const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                          "base_link", "tool0");
+        QVERIFY(chain.has_value());
+        core::ArmDescription arm;
+        arm.lowest_rad = chain->lowest();
+        arm.highest_rad = chain->highest();
+        arm.fastest_radPerS = chain->fastest();
+        desk.panel->setArm(arm, std::make_shared<const arm_model::SerialChain>(*chain));
+        desk.panel->setMode(JogPanel::Mode::tip);
+        const auto* limits = desk.panel->findChild<QLabel*>("limits");
+        const auto upFrom = [&](const JointVector& angle_rad) {
+            core::JointSample sample;
+            sample.angle_rad = sample.reference_rad = angle_rad;
+            desk.panel->setSample(sample);
+            desk.press(Qt::Key_Shift);
+            desk.press(Qt::Key_E, Qt::ShiftModifier);
+            desk.release(Qt::Key_E, Qt::ShiftModifier);
+            desk.release(Qt::Key_Shift);
+        };
+        upFrom({0.0, 0.6, 0.0, -1.2, 0.0, 0.8, 0.0});
+        QVERIFY(!limits->isVisible());
+        upFrom(JointVector::zeros(7));
+        QVERIFY(limits->isVisible());
+        QCOMPARE(limits->text(), QStringLiteral("Near a singularity: slower."));
+        // What is over leaves after a while.
+        QTRY_VERIFY((desk.panel->setReport({}), !limits->isVisible()));
+    }
+
     void whatIsInTheWayIsSaidAndTheArmMayStillBeAsked() {
         Desk desk;
         desk.panel->setHindrance("no controller reads /arm");

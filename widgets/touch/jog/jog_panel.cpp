@@ -10,6 +10,8 @@
 #include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_keys.h"
 #include "widgets/touch/jog/joint_range.h"
+#include "widgets/touch/jog/joint_told.h"
+#include "widgets/touch/jog/limit_line.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -43,6 +45,7 @@ constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::A
 JogPanel::JogPanel(QWidget* parent)
     : QWidget(parent)
     , m_message(new QLabel(this))
+    , m_limits(new LimitLine(this))
     , m_wrench(new QLabel(this))
     , m_handText(new QLabel(this))
     , m_driveSign(new DriveSign(this))
@@ -109,6 +112,7 @@ JogPanel::JogPanel(QWidget* parent)
     layout->addLayout(hold);
     layout->addLayout(kind);
     layout->addLayout(speed);
+    layout->addWidget(m_limits);
     layout->addWidget(m_wrench);
     layout->addWidget(m_handText);
     layout->addStretch(1);
@@ -160,13 +164,16 @@ JogPanel::~JogPanel() {
 void JogPanel::addRows() {
     while (m_rows.size() < std::max(joints(), kTipKeys.size())) {
         const int row = static_cast<int>(m_rows.size());
-        Row& added = m_rows.emplace_back(Row{new QLabel(this), new JointRange(this), new QLabel(this), {}});
+        Row& added = m_rows.emplace_back(
+            Row{new QLabel(this), new JointRange(this), new JointTold(this), new QLabel(this), {}});
         added.range->setObjectName(QStringLiteral("range%1").arg(row));
         m_grid->addWidget(added.name, row, 0);
         added.place->setObjectName(QStringLiteral("place%1").arg(row));
         added.place->hide();
         m_grid->addWidget(added.range, row, 1);
         m_grid->addWidget(added.place, row, 1);
+        added.told->setObjectName(QStringLiteral("told%1").arg(row));
+        m_grid->addWidget(added.told, row, 4);
         for (const int side : {0, 1}) {
             auto* button = new HoldButton(this);
             button->setObjectName((side == 1 ? QStringLiteral("up%1") : QStringLiteral("down%1")).arg(row));
@@ -225,6 +232,7 @@ void JogPanel::enableParts() {
         const Row& row = m_rows[axis];
         row.name->setVisible(axis < (tip ? axes() : joints()));
         row.range->setVisible(!tip && axis < joints());
+        row.told->setVisible(!tip && axis < joints() && !row.told->isEmpty());
         row.place->setVisible(tip && axis < axes());
         row.range->setEnabled(m_arm.has_value());
         for (HoldButton* button : row.buttons) {
@@ -249,12 +257,16 @@ void JogPanel::setArm(const std::optional<core::ArmDescription>& arm,
     m_hasSample = false;
     m_readingsOld = false;
     m_age_s = 0.0;
+    m_limits->forget();
     addRows();
     for (std::size_t joint = 0; joint < m_rows.size(); ++joint) {
         JointRange& range = *m_rows[joint].range;
         const bool slides =
             m_chain && joint < joints() && m_chain->joint(joint).type == arm_model::JointType::prismatic;
-        range.setUnit(slides ? JointRange::Unit::millimetre : JointRange::Unit::degree);
+        const JointRange::Unit unit = slides ? JointRange::Unit::millimetre : JointRange::Unit::degree;
+        range.setUnit(unit);
+        m_rows[joint].told->setUnit(unit);
+        m_rows[joint].told->tell({}, {}, false);
         range.setRange(arm ? arm->lowest_rad[joint] : 0.0, arm ? arm->highest_rad[joint] : 0.0);
         range.setAngle(std::numeric_limits<double>::quiet_NaN());
     }
@@ -356,12 +368,16 @@ Eigen::Vector3d JogPanel::tipPosition(const JointVector& angle_rad) const {
                    : arm::tipPosition(*m_arm, angle_rad);
 }
 
-JointVector JogPanel::tipRates(const JointVector& angle_rad, const Eigen::Vector3d& velocity_mPerS) const {
-    return m_chain ? arm_model::tipRates(*m_chain, angle_rad, {velocity_mPerS, Eigen::Vector3d::Zero()}).rate
-                   : arm::tipRates(*m_arm, angle_rad, velocity_mPerS);
+JointVector JogPanel::tipRates(const JointVector& angle_rad, const Eigen::Vector3d& velocity_mPerS) {
+    if (!m_chain)
+        return arm::tipRates(*m_arm, angle_rad, velocity_mPerS);
+    const arm_model::TipRates rates =
+        arm_model::tipRates(*m_chain, angle_rad, {velocity_mPerS, Eigen::Vector3d::Zero()});
+    m_singular = rates.singular;
+    return rates.rate;
 }
 
-JointVector JogPanel::tipRate(const std::array<double, 3>& share) const {
+JointVector JogPanel::tipRate(const std::array<double, 3>& share) {
     const Eigen::Vector3d velocity =
         0.01 * m_speed->value() * arm::kFullTipSpeed_mPerS * Eigen::Vector3d(share[0], share[1], share[2]);
     return m_hasSample && !velocity.isZero() ? tipRates(m_sample.angle_rad, velocity) : noRate();
@@ -426,7 +442,9 @@ JointVector JogPanel::wanted() {
 }
 
 void JogPanel::take() {
+    m_singular = false;
     const JointVector rate = wanted();
+    m_limits->setSingular(m_singular);
     if (rate == m_rate)
         return;
     m_rate = rate;

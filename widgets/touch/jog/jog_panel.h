@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
+#include "backend/core/device/arm_report.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/touch/jog/position_guide.h"
 
@@ -39,6 +40,8 @@ struct HandMotion {
 class DriveSign;
 class HoldButton;
 class JointRange;
+class JointTold;
+class LimitLine;
 
 /// Moves the arm by hand, joint by joint or its tip along the axes of the base. The arm moves only while the
 /// dead-man switch (Shift, or the button on the screen) is held. Letting go of it, losing the keyboard focus
@@ -73,6 +76,9 @@ public:
     /// The newest reading of the joints.
     void setSample(const core::JointSample& sample);
     void setDrive(core::ArmDrive drive);
+    /// What the arm tells now besides its samples, again and again; of an arm that tells nothing, an empty
+    /// report.
+    void setReport(const core::ArmReport& report);
     void setStopEngaged(bool engaged);
     /// Age of the newest reading: the older, the more slowly the tip is guided by position.
     void setReadingsAge(double age_s) { m_age_s = age_s; }
@@ -125,6 +131,7 @@ private:
     struct Row {
         QLabel* name;
         JointRange* range;
+        JointTold* told;
         QLabel* place;                      ///< of the tip along this axis, instead of the range
         std::array<HoldButton*, 2> buttons; ///< 0 down, 1 up
     };
@@ -143,8 +150,8 @@ private:
     [[nodiscard]] bool canMoveTip() const;
     [[nodiscard]] Eigen::Vector3d tipPosition(const core::JointVector& angle_rad) const;
     [[nodiscard]] core::JointVector tipRates(const core::JointVector& angle_rad,
-                                             const Eigen::Vector3d& velocity_mPerS) const;
-    [[nodiscard]] core::JointVector tipRate(const std::array<double, 3>& share) const;
+                                             const Eigen::Vector3d& velocity_mPerS);
+    [[nodiscard]] core::JointVector tipRate(const std::array<double, 3>& share);
     [[nodiscard]] core::JointVector guidedRate();
     void leadBy(Leader leader);
     void stepBy(std::size_t axis, bool up);
@@ -183,11 +190,13 @@ private:
     Leader m_leader = Leader::nobody; ///< who has hold of m_guide
     bool m_clutchKey = false;
     core::JointVector m_rate;
+    bool m_singular = false; ///< damping near a singularity slowed m_rate down
     bool m_shift = false;
     std::array<std::array<bool, 2>, core::JointVector::kCapacity> m_keys{}; ///< held: [axis][0 down, 1 up]
     QTimer m_timer;
 
     QLabel* m_message;
+    LimitLine* m_limits;
     QLabel* m_wrench;
     QLabel* m_handText;
     DriveSign* m_driveSign;

@@ -7,6 +7,8 @@
 #include "widgets/touch/jog/jog_keys.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/jog/joint_range.h"
+#include "widgets/touch/jog/joint_told.h"
+#include "widgets/touch/jog/limit_line.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QApplication>
@@ -45,6 +47,7 @@ void JogPanel::retranslate() {
                      : tr("<p>Moves the arm by hand. It moves only while you hold Shift, or the wide button, "
                           "together with a direction. Let go of either and it stands still.</p>"));
     showWrench();
+    m_limits->retranslate();
     m_run->setText(tr("&Run"));
     m_run->setToolTip(tr("Let the arm's program go on"));
     m_hold->setText(tr("&Hold"));
@@ -76,6 +79,7 @@ void JogPanel::retranslate() {
         const QString joint = jointName(axis);
         m_rows[axis].name->setText(tip && axis < axes() ? tr("tip %1").arg(QChar(kAxes[axis])) : joint);
         m_rows[axis].range->setAccessibleName(tr("Angle of %1").arg(joint));
+        m_rows[axis].told->setToolTip(tr("Speed and effort of %1, as the arm reports them").arg(joint));
         if (axis >= axes())
             continue;
         const QString name = tip ? tr("tip along %1").arg(QChar(kAxes[axis])) : joint;
@@ -127,6 +131,18 @@ void JogPanel::showHint() {
                   "Keep its emergency stop within reach. %1")
                    .arg(text);
     m_message->setText(text);
+}
+
+void JogPanel::setReport(const core::ArmReport& report) {
+    m_limits->setActive(report.activeLimits);
+    const auto of = [](const core::JointVector& values, std::size_t joint) {
+        return joint < values.size() ? std::optional(values[joint]) : std::nullopt;
+    };
+    for (std::size_t joint = 0; joint < joints(); ++joint) {
+        JointTold& told = *m_rows[joint].told;
+        told.tell(of(report.rate_radPerS, joint), of(report.effort, joint), report.effortIsCurrent);
+        told.setVisible(m_mode == Mode::joints && !told.isEmpty());
+    }
 }
 
 void JogPanel::showWrench() {

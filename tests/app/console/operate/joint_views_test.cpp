@@ -2,8 +2,10 @@
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/operate/arm_views.h"
 #include "app/console/operate/operate_docks.h"
+#include "backend/arm_model/motion_limits.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/urdf_reader.h"
+#include "backend/core/device/arm_report.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/pipeline/touch/skin_kinematics.h"
@@ -43,7 +45,7 @@ std::shared_ptr<const arm_model::SerialChain> sevenJoints() {
 }
 
 /// A real arm, of which only the joints are known.
-class BareArm : public test::ScriptedArmSource {
+class BareArm : public test::ScriptedArmSource, public core::ReportingArm {
 public:
     explicit BareArm(const arm_model::SerialChain& chain) {
         m_description.name = "robot";
@@ -55,10 +57,12 @@ public:
     [[nodiscard]] const core::ArmDescription& description() const override { return m_description; }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::held; }
     [[nodiscard]] std::string hindrance() const override { return inTheWay; }
+    [[nodiscard]] core::ArmReport report() const override { return told; }
 
     void setUnguarded() { m_description.guarded = false; }
 
     std::string inTheWay;
+    core::ArmReport told;
 
 private:
     core::ArmDescription m_description;
@@ -367,6 +371,45 @@ private slots:
         desk.arm->inTheWay.clear();
         desk.tell(JointVector::zeros(7));
         QVERIFY(!says("no controller"));
+    }
+
+    void whatTheArmTellsOfItselfStandsBesideItsJoints() {
+        Desk desk;
+        const JointVector q = JointVector::zeros(7);
+        QSignalSpy unknown(&desk.views, &console::ArmViews::jointsUnknown);
+        const auto* limits = desk.jog->findChild<QLabel*>("limits");
+        const auto* joint = desk.jog->findChild<QLabel*>("told1");
+        desk.tell(q);
+        QVERIFY(!limits->isVisible() && !joint->isVisible());
+        desk.arm->told.activeLimits = static_cast<std::uint32_t>(arm_model::MotionFlag::tipSpeed) |
+                                      static_cast<std::uint32_t>(arm_model::MotionFlag::acceleration);
+        desk.arm->told.effort = q;
+        desk.arm->told.effort[1] = -1.5;
+        desk.arm->told.effortIsCurrent = true;
+        desk.arm->told.unknownJoints = {"finger", "thumb"};
+        desk.tell(q);
+        QVERIFY(limits->isVisible() && joint->isVisible());
+        QCOMPARE(limits->text(), QStringLiteral("Active limits: tip speed."));
+        QCOMPARE(joint->text().trimmed(), QStringLiteral("\u22121.50\u00a0A"));
+        QCOMPARE(unknown.size(), 1);
+        QVERIFY(unknown.front().front().toString().endsWith("finger, thumb."));
+        desk.arm->told.rate_radPerS = q;
+        desk.arm->told.rate_radPerS[1] = 0.5;
+        desk.arm->told.effort = {};
+        desk.arm->told.activeLimits = 0;
+        desk.tell(q);
+        // 0.5 rad/s
+        QCOMPARE(joint->text().trimmed(), QStringLiteral("28.6\u00a0\u00b0/s"));
+        // A limit that acts no more leaves after a while.
+        QTRY_VERIFY((desk.tell(q), !limits->isVisible()));
+        QCOMPARE(unknown.size(), 1);
+        desk.arm->told.unknownJoints.emplace_back("palm");
+        desk.tell(q);
+        QCOMPARE(unknown.size(), 2);
+        QVERIFY(unknown.back().front().toString().endsWith(": palm."));
+        // Another arm has not told anything.
+        desk.views.setArm(nullptr, base::Provenance::live);
+        QVERIFY(!joint->isVisible());
     }
 
     void anArmThatIsSilentIsNotMoved() {
