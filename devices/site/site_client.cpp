@@ -2,9 +2,11 @@
 #include "devices/site/site_client.h"
 
 #include "backend/core/failure.h"
+#include "backend/core/quantile.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/urgent_thread.h"
 #include "devices/site/boot_name.h"
+#include "devices/site/decline_message.h"
 #include "devices/site/lent_texts.h"
 #include "devices/site/stream_descriptions.h"
 
@@ -93,6 +95,7 @@ SiteClient::findSite(const std::shared_ptr<const dds::Participant>& participant,
     std::optional<std::string> text;
     std::size_t expected = 0;
     double lease_s = 0.0;
+    double loopLimit_s = 0.0;
     for (const std::int64_t end_ns = core::steadyNow_ns() + SiteClient::kLongestOpen_ns;
          core::steadyNow_ns() < end_ns;) {
         if (cancelled && cancelled())
@@ -101,6 +104,7 @@ SiteClient::findSite(const std::shared_ptr<const dds::Participant>& participant,
             protocol = message.protocol;
             expected = ros::view(message.streams).size();
             lease_s = message.control_lease_ms * kPerMs;
+            loopLimit_s = message.loop_limit_ms * kPerMs;
         });
         (void)descriptions.take(
             [&text](const ros::String& message, const dds::SampleInfo&) { text = textOf(message.data); });
@@ -114,7 +118,7 @@ SiteClient::findSite(const std::shared_ptr<const dds::Participant>& participant,
             TELETA_TRY(auto streams, readStreams(*text, file.name));
             // The descriptions of the program before may come first.
             if (streams.size() == expected)
-                return Told{std::move(streams), lease_s};
+                return Told{std::move(streams), lease_s, loopLimit_s};
         }
         waitSet.wait(kOpenLook_ns);
     }
@@ -196,6 +200,7 @@ SiteClient::SiteClient(RemoteSiteFile file, std::string version,
     , m_topics(m_file.name)
     , m_streams(std::move(told.streams))
     , m_controlLease_s(told.controlLease_s)
+    , m_loopLimit_s(told.loopLimit_s)
     , m_keyWarnings(m_file.meeting.keyWarnings())
     , m_ends(std::move(ends))
     , m_stop(stop)
@@ -255,6 +260,24 @@ void SiteClient::post(const std::string& arm, const core::ArmCommand& command) {
     m_waitSet.wake();
 }
 
+recording::StreamInfo SiteClient::clockStream() const {
+    return {.name = m_file.name + "-clock",
+            .kind = recording::StreamKind::numbers,
+            .type = recording::ValueType::float64,
+            .source = m_file.name,
+            .shape = {4},
+            .columns = {{"t1_console_ns", "ns"},
+                        {"t2_site_ns", "ns"},
+                        {"t3_site_ns", "ns"},
+                        {"t4_console_ns", "ns"}},
+            .nominalRate_Hz = 1e9 / static_cast<double>(kProbe_ns)};
+}
+
+void SiteClient::recordClock(std::shared_ptr<core::StreamTap> tap) {
+    const std::scoped_lock lock(m_mutex);
+    m_clockTap = std::move(tap);
+}
+
 std::int64_t SiteClient::readTime_ns(std::int64_t read_site_ns, std::int64_t arrived_ns) const {
     const std::optional<std::int64_t> offset_ns = m_offset_ns.get();
     return offset_ns ? std::min(read_site_ns - *offset_ns, arrived_ns) : arrived_ns;
@@ -309,6 +332,9 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
     if (m_siteBoot != boot) {
         // Everything that was known of the other program is dropped, control included.
         m_clock.reset();
+        m_shownOffset.reset();
+        m_refused.reset();
+        m_loops_s.clear();
         m_now.boots += m_siteBoot ? 1 : 0;
         m_now.granted = false;
         m_siteBoot = boot;
@@ -331,6 +357,7 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
     m_now.accepted = state.commands_accepted;
     m_now.refused = state.commands_refused;
     m_now.lastRefusal = atMost(state.last_refusal, site::CommandRefusal::otherBoot);
+    countRefusals();
     m_now.arms.clear();
     for (const ros::ArmState& arm : ros::view(state.arms))
         m_now.arms.push_back(
@@ -346,6 +373,8 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
         if (!m_pending || result.request != m_pending->outcome.id)
             continue;
         m_pending->outcome.answer = answer;
+        if (answer == site::RequestAnswer::expired)
+            m_pending->outcome.declined = declineReason(textOf(result.message));
         m_now.request = m_pending->outcome;
         if (m_pending->outcome.answer != site::RequestAnswer::waits)
             m_pending.reset();
@@ -357,8 +386,29 @@ void SiteClient::take(const ros::ClockAnswer& answer, std::int64_t now_ns) {
         return; // to another program of this console's name
     if (m_siteBoot && bootNameOf(answer.site_boot) != *m_siteBoot)
         return;
-    if (m_clock.add({answer.t1_console_ns, answer.t2_site_ns, answer.t3_site_ns, now_ns}))
-        m_now.loop_s = core::elapsed_s(answer.t1_console_ns, now_ns);
+    if (!m_clock.add({answer.t1_console_ns, answer.t2_site_ns, answer.t3_site_ns, now_ns}))
+        return;
+    {
+        const std::scoped_lock lock(m_mutex);
+        const std::array<double, 4> times_ns{
+            static_cast<double>(answer.t1_console_ns), static_cast<double>(answer.t2_site_ns),
+            static_cast<double>(answer.t3_site_ns), static_cast<double>(now_ns)};
+        if (m_clockTap)
+            m_clockTap->append(now_ns, 1e-9 * times_ns[1], std::span<const double>(times_ns));
+    }
+    m_now.loop_s = core::elapsed_s(answer.t1_console_ns, now_ns);
+    if (m_loops_s.size() == kLoops)
+        m_loops_s.pop_front();
+    m_loops_s.push_back(*m_now.loop_s);
+    std::vector<double> sorted(m_loops_s.begin(), m_loops_s.end());
+    std::ranges::sort(sorted);
+    m_now.loops = LoopTimes{core::quantileOf(sorted, 0.5), core::quantileOf(sorted, 0.99)};
+}
+
+void SiteClient::countRefusals() {
+    if (m_refused && m_now.refused > *m_refused)
+        m_now.refusedBy[static_cast<std::size_t>(m_now.lastRefusal)] += m_now.refused - *m_refused;
+    m_refused = m_now.refused;
 }
 
 void SiteClient::tellPresence(std::int64_t now_ns) {
@@ -435,6 +485,37 @@ void SiteClient::findConsoles(std::int64_t now_ns) {
         if (name && end.writes && std::ranges::find(m_now.consoles, *name) == m_now.consoles.end())
             m_now.consoles.push_back(*name);
     }
+    listenToOthers();
+}
+
+/// Who sits at the other consoles.
+void SiteClient::listenToOthers() {
+    std::erase_if(m_others, [this](const auto& other) {
+        return std::ranges::find(m_now.consoles, other.first) == m_now.consoles.end();
+    });
+    std::erase_if(m_now.persons, [this](const auto& person) { return !m_others.contains(person.first); });
+    if (!m_file.person.empty())
+        m_now.persons[m_file.console] = m_file.person;
+    for (const std::string& name : m_now.consoles) {
+        constexpr std::size_t kMostOthers = 64;
+        if (name == m_file.console || m_others.contains(name) || m_others.size() >= kMostOthers)
+            continue;
+        auto reader =
+            dds::Reader<ros::ConsolePresence>::open(m_participant, m_topics.presence(name), kNewest);
+        m_others.emplace(name, reader ? std::optional(std::move(*reader)) : std::nullopt);
+    }
+    for (auto& [name, reader] : m_others) {
+        if (!reader)
+            continue;
+        (void)reader->take(
+            [this, &name = name](const ros::ConsolePresence& presence, const dds::SampleInfo&) {
+                std::string person = textOf(presence.person);
+                if (person.empty() || person.size() > kLongestPerson_bytes)
+                    m_now.persons.erase(name);
+                else
+                    m_now.persons[name] = std::move(person);
+            });
+    }
 }
 
 void SiteClient::command(std::int64_t now_ns) {
@@ -479,6 +560,8 @@ void SiteClient::publish(std::int64_t now_ns) {
     m_now.reached = m_now.lastState_ns != 0 && now_ns - m_now.lastState_ns <= kSilence_ns;
     m_now.clock = m_clock.offset(now_ns);
     m_now.clockJumps = m_clock.jumps();
+    m_now.shownOffset_ns =
+        m_now.clock ? std::optional(m_shownOffset.follow(m_now.clock->offset_ns, now_ns)) : std::nullopt;
     m_offset_ns.set(m_now.clock ? std::optional(m_now.clock->offset_ns) : std::nullopt);
     m_view.set(m_now);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/core/device/arm_device.h"
+#include "backend/core/device/stream_tap.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/latest_copy.h"
 #include "backend/core/threads/mailbox.h"
@@ -17,10 +18,12 @@
 #include "devices/site/remote_site_file.h"
 #include "devices/site/site_topics.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -44,6 +47,7 @@ struct RequestOutcome {
     std::uint64_t id = 0;
     site::RequestKind kind = site::RequestKind::request;
     site::RequestAnswer answer = site::RequestAnswer::waits;
+    std::optional<std::string> declined{}; ///< another console declined it, with this reason or without one
 };
 
 /// What happened at the site, as it told.
@@ -53,6 +57,12 @@ struct RemoteEvent {
     std::string source;
     std::string code;
     std::string message;
+};
+
+/// How long the last loops took: from here to the site and back.
+struct LoopTimes {
+    double median_s = 0.0;
+    double slow_s = 0.0; ///< 99 % were not slower
 };
 
 /// What a console knows of a site now.
@@ -68,13 +78,20 @@ struct SiteView {
     std::vector<std::string> stopHolders;
     std::vector<std::string> viewers;
     std::vector<std::string> consoles; ///< all that are there, this one included
+    /// Who sits at a console, as the console tells; of those that tell somebody.
+    std::map<std::string, std::string> persons;
     std::vector<RemoteArmState> arms;
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;
     site::CommandRefusal lastRefusal = site::CommandRefusal::none;
+    /// Those that were refused while this console looked, by reason. A state tells the last reason alone: to
+    /// that one all are counted which were refused since the state before.
+    std::array<std::uint64_t, site::kRefusals> refusedBy{};
     std::uint64_t statesLost = 0;
     std::optional<site::ClockOffset> clock;
-    std::optional<double> loop_s; ///< age of the whole loop of the last probe: there and back
+    std::optional<std::int64_t> shownOffset_ns; ///< of the clock, slewed, for the screen
+    std::optional<double> loop_s;               ///< age of the whole loop of the last probe: there and back
+    std::optional<LoopTimes> loops;             ///< of the last kLoops probes
     std::uint64_t clockJumps = 0;
     std::optional<RequestOutcome> request;
     bool granted = false; ///< this program was given control; else a controller of its name is an earlier one
@@ -97,6 +114,9 @@ struct SiteView {
 class SiteClient {
 public:
     static constexpr std::int64_t kSilence_ns = 300'000'000;
+    static constexpr std::size_t kLoops = 64;
+    /// Longer ones are not shown.
+    static constexpr std::size_t kLongestPerson_bytes = 120;
     static constexpr std::int64_t kLongestOpen_ns = 8'000'000'000;
 
     /// Joins the domain and waits for what the site tells of itself. stop outlives the client. cancelled:
@@ -117,6 +137,8 @@ public:
     [[nodiscard]] const std::vector<recording::StreamInfo>& streams() const { return m_streams; }
     /// How long control stays with a console that is silent.
     [[nodiscard]] double controlLease_s() const { return m_controlLease_s; }
+    /// The site takes no command of a console that has seen nothing newer from it.
+    [[nodiscard]] double loopLimit_s() const { return m_loopLimit_s; }
     /// OperatorDomain::keyWarnings() then.
     [[nodiscard]] const std::vector<std::string>& keyWarnings() const { return m_keyWarnings; }
 
@@ -125,10 +147,15 @@ public:
     [[nodiscard]] std::vector<RemoteEvent> takeEvents();
 
     /// Asks the site; the answer is in SiteView::request, under the number that this returns. A viewer is
-    /// not permitted anything. target: the console that it is about.
+    /// not permitted anything. target: the console that it is about; of decline, the reason.
     std::uint64_t request(site::RequestKind kind, const std::string& target = {});
     /// The operator's command to an arm; a rate of zero: the switch is let go. Ignored from a viewer.
     void post(const std::string& arm, const core::ArmCommand& command);
+
+    /// The stream of recordClock(): every accepted probe of the clock with its four raw times.
+    [[nodiscard]] recording::StreamInfo clockStream() const;
+    /// Where the probes go from now on; null: nowhere.
+    void recordClock(std::shared_ptr<core::StreamTap> tap);
 
     /// The program ends, and with it this console's part: the switch counts as let go, control is given up,
     /// and STOP stays at the site as it was. A program engages STOP for its own devices when it ends; that is
@@ -168,6 +195,7 @@ private:
     struct Told {
         std::vector<recording::StreamInfo> streams;
         double controlLease_s = 0.0;
+        double loopLimit_s = 0.0;
     };
 
     SiteClient(RemoteSiteFile file, std::string version, std::shared_ptr<const dds::Participant> participant,
@@ -186,6 +214,8 @@ private:
     void writeRequest(std::uint64_t number, site::RequestKind kind, const std::string& target);
     void giveUp();
     void findConsoles(std::int64_t now_ns);
+    void listenToOthers();
+    void countRefusals();
     void command(std::int64_t now_ns);
     void publish(std::int64_t now_ns);
     [[nodiscard]] bool leaves() const {
@@ -198,6 +228,7 @@ private:
     SiteTopics m_topics;
     std::vector<recording::StreamInfo> m_streams;
     double m_controlLease_s;
+    double m_loopLimit_s;
     std::vector<std::string> m_keyWarnings;
     Ends m_ends;
     const core::StopSwitch& m_stop;
@@ -208,9 +239,10 @@ private:
     core::LatestCopy<SiteView> m_view;
     core::LatestCopy<std::optional<std::int64_t>> m_offset_ns;
     std::mutex m_mutex;
-    std::deque<RemoteEvent> m_events; ///< guarded by m_mutex, as the next three
+    std::deque<RemoteEvent> m_events; ///< guarded by m_mutex, as the next five
     std::deque<Posted> m_posted;
     std::optional<Pending> m_pending;
+    std::shared_ptr<core::StreamTap> m_clockTap;
     std::deque<std::uint64_t> m_askedControl; ///< requests that may give control, also after newer ones
     std::uint64_t m_lastRequest; ///< begins anywhere: answers to a program before are not this one's
 
@@ -220,6 +252,11 @@ private:
     std::uint64_t m_stateNumber = 0;
     std::int64_t m_echoSite_ns = 0;
     site::ClockEstimator m_clock;
+    site::SlewedOffset m_shownOffset;
+    std::deque<double> m_loops_s; ///< of the last probes
+    std::map<std::string, std::optional<dds::Reader<ros::ConsolePresence>>>
+        m_others;                           ///< nothing: not allowed
+    std::optional<std::uint64_t> m_refused; ///< as the last state of this program of the site told
     site::OperatorHand m_hand;
     std::uint64_t m_engagements = 0; ///< of STOP, that the hand knows of
     Posted m_newest;

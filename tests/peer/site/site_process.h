@@ -78,12 +78,25 @@ public:
     void send(int signal) const { ASSERT_EQ(::kill(static_cast<pid_t>(m_id), signal), 0); }
 
     /// The file with which a console reaches it.
-    [[nodiscard]] std::string fileOf(const std::string& console, bool viewer = false) const {
+    [[nodiscard]] std::string fileOf(const std::string& console, bool viewer = false,
+                                     const std::string& person = {}) const {
         const std::string path = m_folder.filePath(QString::fromStdString(console) + ".toml").toStdString();
-        std::ofstream(path) << "kind = \"remote_site\"\nname = \"lab\"\nconsole = \"" << console
-                            << "\"\nviewer = " << (viewer ? "true" : "false") << '\n'
+        std::ofstream(path) << "kind = \"remote_site\"\nname = \"lab\"\nconsole = \"" << console << "\"\n"
+                            << (person.empty() ? std::string() : "person = \"" + person + "\"\n")
+                            << "viewer = " << (viewer ? "true" : "false") << '\n'
                             << meeting(console);
         return path;
+    }
+    /// After secure(): makes the certificate of a member anew, for so many days.
+    void renew(const std::string& member, int days) const {
+        QProcess shell;
+        shell.setWorkingDirectory(QString::fromStdString(m_keys));
+        shell.start("openssl",
+                    {"x509", "-req", "-sha256", "-in", QString::fromStdString(member + "/req.pem"), "-CA",
+                     "identity_ca.pem", "-CAkey", "identity_ca_key.pem", "-CAcreateserial", "-days",
+                     QString::number(days), "-out", QString::fromStdString(member + "/cert.pem")});
+        ASSERT_TRUE(shell.waitForFinished(60'000));
+        ASSERT_EQ(shell.exitCode(), 0) << shell.readAllStandardError().toStdString();
     }
     [[nodiscard]] QTemporaryDir& folder() { return m_folder; }
     [[nodiscard]] qint64 processId() const { return m_id; }

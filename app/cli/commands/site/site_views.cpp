@@ -192,7 +192,8 @@ core::Expected<void> watchSite(const SiteOptions& options) {
 core::Expected<void> watchClock(const SiteOptions& options) {
     const core::StopSwitch stop;
     TELETA_TRY(const auto client, look(options, stop));
-    constexpr std::array<std::string_view, 5> kColumns{"time_s", "offset_s", "bound_s", "delay_s", "jumps"};
+    constexpr std::array<std::string_view, 6> kColumns{"time_s",  "offset_s", "shown_offset_s",
+                                                       "bound_s", "delay_s",  "jumps"};
     TELETA_TRY(auto rows, RowOutput::open(kColumns, {.json = options.json, .outPath = {}}));
     const Watch watch(options.time_s);
     double next_s = 1.0;
@@ -207,6 +208,8 @@ core::Expected<void> watchClock(const SiteOptions& options) {
         };
         rows.number(watch.now_s());
         rows.number(seconds(&site::ClockOffset::offset_ns));
+        rows.number(view.shownOffset_ns ? std::optional(static_cast<double>(*view.shownOffset_ns) * kPerNs)
+                                        : std::nullopt);
         rows.number(seconds(&site::ClockOffset::bound_ns));
         rows.number(seconds(&site::ClockOffset::delay_ns));
         rows.integer(static_cast<long long>(view.clockJumps));
@@ -246,6 +249,7 @@ core::Expected<void> recordSite(const SiteOptions& options) {
     const std::shared_ptr<recording::Recorder> recorder = std::move(started);
     for (const auto& [name, channel] : channels)
         channel->record(recorder, name);
+    found->site->recordClock(recorder->addStream(found->site->clockStream()));
     using State = recording::RecorderStatus::State;
     for (const Watch watch(options.time_s); watch.goesOn() && recorder->status().state == State::recording;) {
         for (const auto& [name, channel] : channels)
@@ -253,6 +257,7 @@ core::Expected<void> recordSite(const SiteOptions& options) {
         for (const site_link::RemoteEvent& event : found->site->takeEvents())
             recorder->add({core::steadyNow_ns(), "site", event.message, 0.0});
     }
+    found->site->recordClock(nullptr);
     for (const auto& [name, channel] : channels)
         channel->record(nullptr, name);
     TELETA_CHECK(recorder->stop());
