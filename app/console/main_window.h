@@ -103,6 +103,7 @@ private:
     void retranslate();
     void buildMenus();
     void buildArmMenu();
+    void addSiteActions(QMenu& menu);
     void restoreFeedback();
     void saveFeedback();
     void takeOwnPatterns();

@@ -105,14 +105,37 @@ void MainWindow::buildArmMenu() {
     add(tr("&Hold"), Qt::SHIFT | Qt::Key_F5, hasProgram, [this] { m_operate->setProgramRunning(false); });
     add(tr("Re&start"), Qt::CTRL | Qt::Key_F5, hasProgram, [this] { m_operate->restartProgram(); });
     menu->addSeparator();
-    SiteViews& site = m_operate->siteViews();
-    add(tr("Re&quest control of the site"), {}, site.mayRequest(), [&site] { site.request(); });
-    add(tr("Rele&ase control of the site"), Qt::CTRL | Qt::ALT | Qt::Key_C, site.controls(),
-        [&site] { site.release(); });
+    addSiteActions(*menu);
     menu->addSeparator();
     add(tr("&Forget the explored contour"), Qt::CTRL | Qt::SHIFT | Qt::Key_N, hasArm, [this] {
         m_operate->armViews().forgetContour();
     })->setToolTip(tr("What is touched from now on is another object"));
+}
+
+/// What is possible changes while the menus stay.
+void MainWindow::addSiteActions(QMenu& menu) {
+    SiteViews* site = &m_operate->siteViews();
+    QAction* request = menu.addAction(tr("Re&quest control of the site"), site, &SiteViews::request);
+    QMenu* successors = menu.addMenu(tr("Hand o&ver to"));
+    successors->setObjectName(QStringLiteral("handOver"));
+    QAction* takeOver = menu.addAction(tr("&Take over control of the site"), site, &SiteViews::takeOver);
+    takeOver->setToolTip(tr("For supervisors: the other console has 5 s to decline"));
+    QAction* release = menu.addAction(tr("Rele&ase control of the site"), Qt::CTRL | Qt::ALT | Qt::Key_C,
+                                      site, &SiteViews::release);
+    const auto update = [=] {
+        request->setEnabled(site->mayRequest());
+        takeOver->setEnabled(site->mayTakeOver());
+        release->setEnabled(site->controls());
+        successors->clear();
+        for (const auto& [console, person] : site->successors()) {
+            const QString name = person.isEmpty() ? console : tr("%1 (%2)").arg(console, person);
+            successors->addAction(base::withoutMnemonic(name), site,
+                                  [site, console = console] { site->handOver(console); });
+        }
+        successors->setEnabled(!successors->isEmpty());
+    };
+    update();
+    connect(site, &SiteViews::possibilitiesChanged, successors, update);
 }
 
 void MainWindow::openArm() {

@@ -8,6 +8,8 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
@@ -24,6 +26,8 @@ using Mode = SiteBarState::Mode;
 
 constexpr int kLeaseSteps = 100;
 constexpr double kPerMs = 1e3;
+/// Characters; the site drops what is too long for it.
+constexpr int kLongestReason = 100;
 
 QString millisecondsOf(double time_s) {
     return QString::number(time_s * kPerMs, 'f', time_s < 0.01 ? 1 : 0);
@@ -47,7 +51,8 @@ SiteBar::SiteBar(QWidget* parent)
     , m_details(new QLabel(this))
     , m_request(makeButton("requestControl", &SiteBar::controlRequested))
     , m_accept(makeButton("accept", &SiteBar::accepted))
-    , m_decline(makeButton("decline", &SiteBar::declined))
+    , m_decline(makeButton("decline", &SiteBar::decline))
+    , m_reason(new QLineEdit(this))
     , m_takeOver(makeButton("takeOver", &SiteBar::takeOverRequested))
     , m_clearFault(makeButton("clearFault", &SiteBar::faultCleared))
     , m_handOver(makeMenuButton("handOver", this))
@@ -55,6 +60,12 @@ SiteBar::SiteBar(QWidget* parent)
     , m_release(makeButton("releaseControl", &SiteBar::releaseRequested)) {
     m_headline->setObjectName(QStringLiteral("headline"));
     m_details->setObjectName(QStringLiteral("details"));
+    m_reason->setObjectName(QStringLiteral("reason"));
+    m_reason->setMaxLength(kLongestReason);
+    connect(m_reason, &QLineEdit::returnPressed, this, &SiteBar::decline);
+    // What other consoles call themselves is no markup.
+    m_headline->setTextFormat(Qt::PlainText);
+    m_details->setTextFormat(Qt::PlainText);
     m_lease->setRange(0, kLeaseSteps);
     m_lease->setTextVisible(false);
     QSizePolicy kept = m_details->sizePolicy();
@@ -67,7 +78,7 @@ SiteBar::SiteBar(QWidget* parent)
     layout->addWidget(m_headline);
     layout->addWidget(m_lease);
     layout->addWidget(m_details, 1);
-    base::addWidgets(layout, {m_request, m_accept, m_decline, m_takeOver, m_clearFault, m_withdraw,
+    base::addWidgets(layout, {m_request, m_accept, m_reason, m_decline, m_takeOver, m_clearFault, m_withdraw,
                               m_handOver, m_release});
     base::keepTranslated(this, &SiteBar::refresh);
     base::onChange(this, &SiteBar::restyle, {QEvent::PaletteChange, QEvent::FontChange});
@@ -85,7 +96,8 @@ void SiteBar::setState(const SiteBarState& state) {
     if (state == m_state)
         return;
     // A menu that is open is not filled anew under the pointer.
-    const bool otherMenus = state.others != m_state.others || state.stopHolders != m_state.stopHolders;
+    const bool otherMenus = state.others != m_state.others || state.stopHolders != m_state.stopHolders ||
+                            state.persons != m_state.persons;
     m_state = state;
     if (otherMenus)
         fillMenus();
@@ -99,16 +111,16 @@ QString SiteBar::headline() const {
     if (m_state.mode == Mode::stopped)
         return tr("%1: STOP is held by %2").arg(site, m_state.stopHolders.join(QStringLiteral(", ")));
     if (m_state.mode == Mode::offered && m_state.offeredHere)
-        return tr("%1: %2 offers you control").arg(site, m_state.controller);
+        return tr("%1: %2 offers you control").arg(site, m_state.who(m_state.controller));
     if (m_state.mode == Mode::offered && m_state.controls)
-        return tr("%1: handing control to %2").arg(site, m_state.offeredTo);
+        return tr("%1: handing control to %2").arg(site, m_state.who(m_state.offeredTo));
     if (m_state.mode == Mode::fault)
         return tr("%1: an arm has a fault").arg(site);
     if (m_state.controls)
         return m_state.mode == Mode::moving ? tr("%1: you are moving it").arg(site)
                                             : tr("%1: you control").arg(site);
     if (!m_state.controller.isEmpty())
-        return tr("%1: %2 controls").arg(site, m_state.controller);
+        return tr("%1: %2 controls").arg(site, m_state.who(m_state.controller));
     return m_state.viewer ? tr("%1: viewing").arg(site) : tr("%1: nobody controls").arg(site);
 }
 
@@ -123,15 +135,59 @@ QString SiteBar::details() const {
     return parts.join(QStringLiteral("  \u00b7  "));
 }
 
+QString SiteBar::withPerson(const QString& console) const {
+    const QString person = m_state.persons.value(console);
+    return person.isEmpty() ? console : tr("%1 (%2)", "a console and who sits there").arg(console, person);
+}
+
+/// What a look at the site needs seldom, a line each.
+QStringList SiteBar::moreDetails() const {
+    const auto joined = [this](const QStringList& consoles) {
+        QStringList names;
+        for (const QString& console : consoles)
+            names << withPerson(console);
+        return names.join(QStringLiteral(", "));
+    };
+    QStringList lines;
+    if (!m_state.controller.isEmpty())
+        lines << tr("In control: %1").arg(withPerson(m_state.controller));
+    if (!m_state.viewers.isEmpty())
+        lines << tr("Viewers: %1").arg(joined(m_state.viewers));
+    if (m_state.medianLoop_s && m_state.slowLoop_s)
+        lines << tr("Loop: median %1 ms, 99 %: %2 ms")
+                     .arg(millisecondsOf(*m_state.medianLoop_s), millisecondsOf(*m_state.slowLoop_s));
+    if (m_state.clockOffset_s && m_state.clockBound_s)
+        lines << tr("Clock offset: %1 s \u00b1 %2 ms")
+                     .arg(QString::number(*m_state.clockOffset_s, 'f', 3),
+                          millisecondsOf(*m_state.clockBound_s));
+    lines << tr("%n state(s) of the site were lost on the way", nullptr,
+                static_cast<int>(std::min<std::uint64_t>(m_state.statesLost, 1'000'000)));
+    for (const auto& [stream, lost] : m_state.losses)
+        lines << tr("Lost of %1: %2").arg(stream, QLocale().toString(qulonglong{lost}));
+    for (const auto& [reason, count] : m_state.refusedBy)
+        lines << tr("Refused: %1 (%2)", "a reason and how often")
+                     .arg(reason, QLocale().toString(qulonglong{count}));
+    return lines;
+}
+
+void SiteBar::decline() {
+    emit declined(m_reason->text().trimmed());
+    m_reason->clear();
+}
+
 void SiteBar::refresh() {
     m_headline->setText(headline());
-    const QString text = details();
-    m_details->setText(text);
-    m_details->setToolTip(
-        text.isEmpty() ? QString()
-                       : text + QLatin1Char('\n') +
-                             tr("%n state(s) of the site were lost on the way", nullptr,
-                                static_cast<int>(std::min<std::uint64_t>(m_state.statesLost, 1'000'000))));
+    m_details->setText(details());
+    // Names are no markup.
+    QStringList lines;
+    for (const QString& line : moreDetails())
+        lines << line.toHtmlEscaped();
+    const QString tip =
+        QStringLiteral("<p style='white-space:pre'>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+    for (QLabel* label : {m_headline, m_details}) {
+        label->setToolTip(tip);
+        label->setAccessibleDescription(moreDetails().join(QStringLiteral("; ")));
+    }
     m_lease->setVisible(m_state.reached && m_state.controls);
     m_lease->setValue(static_cast<int>(std::lround(std::clamp(m_state.leaseShare, 0.0, 1.0) * kLeaseSteps)));
     m_lease->setToolTip(tr("Control lease: how long control stays here without an answer"));
@@ -147,6 +203,12 @@ void SiteBar::refresh() {
     m_accept->setVisible(answers);
     m_decline->setText(m_state.offeredHere ? tr("Decline") : tr("Keep control"));
     m_decline->setVisible(answers);
+    m_reason->setVisible(answers);
+    m_reason->setPlaceholderText(tr("Reason (if you decline)"));
+    m_reason->setAccessibleName(tr("Reason for declining"));
+    m_reason->setToolTip(tr("The other console shows it"));
+    if (!answers)
+        m_reason->clear();
     m_takeOver->setText(tr("Take over\u2026"));
     m_takeOver->setToolTip(tr("For supervisors: the other console has 5 s to decline"));
     m_takeOver->setVisible(reached && !m_state.viewer && !m_state.controller.isEmpty() && !m_state.controls &&
@@ -167,7 +229,7 @@ void SiteBar::refresh() {
 void SiteBar::fillMenus() {
     m_handOver->menu()->clear();
     for (const QString& console : m_state.others)
-        m_handOver->menu()->addAction(base::withoutMnemonic(console), this,
+        m_handOver->menu()->addAction(base::withoutMnemonic(withPerson(console)), this,
                                       [this, console] { emit handOverRequested(console); });
     m_withdraw->menu()->clear();
     for (const QString& holder : m_state.stopHolders)

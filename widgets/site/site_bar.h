@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QMap>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
 
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 class QLabel;
+class QLineEdit;
 class QMenu;
 class QProgressBar;
 class QPushButton;
@@ -19,6 +23,7 @@ namespace teleta::site_view {
 /// What the bar shows of a site.
 struct SiteBarState {
     enum class Mode { free, held, moving, offered, stopped, fault };
+    using Count = std::pair<QString, std::uint64_t>; ///< of what is named
 
     QString site;
     bool viewer = false; ///< this console only looks
@@ -32,15 +37,24 @@ struct SiteBarState {
     double offerLeft_s = 0.0;
     double leaseShare = 0.0; ///< 0..1 of the control lease
     QStringList stopHolders;
-    bool stopsItself = false;           ///< this console is one of them
-    QStringList others;                 ///< consoles to which control can be handed
-    std::optional<double> loop_s;       ///< from here to the site and back
-    std::optional<double> clockBound_s; ///< of the clock's offset
+    bool stopsItself = false;            ///< this console is one of them
+    QStringList others;                  ///< consoles to which control can be handed
+    QStringList viewers;                 ///< consoles that only look
+    QMap<QString, QString> persons;      ///< who sits at a console, where it tells
+    std::optional<double> loop_s;        ///< from here to the site and back, the last one
+    std::optional<double> medianLoop_s;  ///< of the last ones
+    std::optional<double> slowLoop_s;    ///< 99 % of the last ones were not slower
+    std::optional<double> clockOffset_s; ///< the site's clock less the one here
+    std::optional<double> clockBound_s;  ///< of the clock's offset
     std::uint64_t statesLost = 0;
+    std::vector<Count> losses; ///< samples and frames lost on the way, of each stream
     std::uint64_t refused = 0;
-    QString lastRefusal; ///< why, translated; empty: nothing was refused
+    QString lastRefusal;          ///< why, translated; empty: nothing was refused
+    std::vector<Count> refusedBy; ///< by reason, translated
 
     [[nodiscard]] bool operator==(const SiteBarState&) const = default;
+    /// The person at a console, or else the console.
+    [[nodiscard]] QString who(const QString& console) const { return persons.value(console, console); }
 };
 
 /// Who controls a site, and the buttons with which control is asked for, given up and handed over. It shows a
@@ -62,7 +76,8 @@ signals:
     void handOverRequested(const QString& console);
     void takeOverRequested();
     void accepted();
-    void declined();
+    /// reason: what the person typed, may be empty.
+    void declined(const QString& reason);
     void faultCleared();
     void stopWithdrawn(const QString& holder);
 
@@ -71,7 +86,10 @@ private:
     void refresh();
     void restyle();
     void fillMenus();
+    void decline();
     [[nodiscard]] QString details() const;
+    [[nodiscard]] QStringList moreDetails() const;
+    [[nodiscard]] QString withPerson(const QString& console) const;
 
     SiteBarState m_state;
     QLabel* m_headline;
@@ -80,6 +98,7 @@ private:
     QPushButton* m_request;
     QPushButton* m_accept;
     QPushButton* m_decline;
+    QLineEdit* m_reason;
     QPushButton* m_takeOver;
     QPushButton* m_clearFault;
     QToolButton* m_handOver;

@@ -103,6 +103,7 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("F5, Shift+F5, Ctrl+F5"),
          AboutText::tr("Run the program of the arm, hold it, restart it")},
         {AboutText::tr("Ctrl+Shift+N"), AboutText::tr("Forget the explored contour")},
+        {AboutText::tr("Ctrl+Alt+C"), AboutText::tr("Release control of the site")},
         {AboutText::tr("Arrow keys"), AboutText::tr("Move the read-out from taxel to taxel, in the heatmap")},
         {AboutText::tr("1, 2, 3, 4"),
          AboutText::tr("Front, top, side, isometric view, in the reconstruction")},

@@ -198,7 +198,9 @@ void OperatePage::tick() {
     m_marks->tick();
     const SourceManager::Item* shown = m_sources.active();
     const auto* remote = shown != nullptr ? std::get_if<app::SiteRequest>(&shown->request) : nullptr;
-    m_site->setSite(remote != nullptr ? remote->site.lock() : nullptr);
+    const auto site = remote != nullptr ? remote->site.lock() : nullptr;
+    m_site->setSite(site);
+    m_site->setLosses(lossesOf(site.get()));
     m_site->tick();
     m_bracelet.setSiteClock(m_site->clock());
     m_charts->refresh();
@@ -221,6 +223,22 @@ void OperatePage::tick() {
     }
     if (core::PlaybackControl* control = playback())
         m_playback->setPosition(control->position());
+}
+
+std::vector<site_view::SiteBarState::Count> OperatePage::lossesOf(const site_link::SiteClient* site) const {
+    std::vector<site_view::SiteBarState::Count> losses;
+    for (const SourceManager::Item& item : m_sources.items()) {
+        const auto* remote = std::get_if<app::SiteRequest>(&item.request);
+        if (site == nullptr || remote == nullptr || !item.isOpen() || remote->site.lock().get() != site)
+            continue;
+        const QString name = QString::fromStdString(remote->device);
+        const auto joints = item.joints();
+        if (joints)
+            losses.emplace_back(tr("%1: joints", "a source").arg(name), joints->jointStatus().framesLost);
+        if (!joints || item.arm())
+            losses.emplace_back(name, item.channel->status().framesLost);
+    }
+    return losses;
 }
 
 void OperatePage::tickSceneCamera(SourceManager::Item& item, std::int64_t now_ns) {

@@ -112,6 +112,9 @@ private:
     void showFrame(pipeline::TouchSnapshot frame);
     void tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns);
     void tickSceneCamera(SourceManager::Item& item, std::int64_t now_ns);
+    /// Of the streams of a site that are open here; null: none.
+    [[nodiscard]] std::vector<site_view::SiteBarState::Count>
+    lossesOf(const site_link::SiteClient* site) const;
     void watchFailures(const SourceManager::Item& item);
     /// Reports once what a recording contains that is not played.
     void watchDamage(const SourceManager::Item& item);

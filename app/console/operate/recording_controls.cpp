@@ -4,6 +4,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording/mark_views.h"
 #include "app/console/operate/recording/recording_files.h"
+#include "app/console/operate/site_views.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
@@ -47,6 +48,10 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         m_page.addAction(action);
     }
+    connect(&m_page.siteViews(), &SiteViews::happened, this,
+            [this](std::int64_t time_ns, const QString& text) {
+                m_service.add({time_ns, "site", text.toStdString(), 0.0});
+            });
     connect(m_record, &QAction::triggered, this, &RecordingControls::toggle);
     connect(m_mark, &QAction::triggered, this, [this] { mark(core::steadyNow_ns()); });
     connect(m_folder, &QAction::triggered, this, &RecordingControls::askForFolder);

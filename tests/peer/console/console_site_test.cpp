@@ -4,18 +4,23 @@
 #include "app/console/console_options.h"
 #include "app/console/operate/operate_docks.h"
 #include "app/console/operate/operate_page.h"
+#include "app/console/operate/site_views.h"
 #include "tests/app/console/window_bench.h"
 #include "tests/peer/site/site_process.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/scene/scene_panel.h"
 #include "widgets/camera/scene/scene_tile.h"
+#include "widgets/chrome/message_bar.h"
 #include "widgets/site/site_bar.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -31,6 +36,7 @@ using site::Mode;
 namespace {
 
 constexpr int kPatience_ms = 30'000;
+const std::string kPractice = "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n";
 
 } // namespace
 
@@ -43,8 +49,7 @@ class ConsoleSiteTest : public QObject, protected test::WindowBench {
     site_view::SiteBar* m_bar = nullptr;
 
     void connectToSite(int domain, const std::string& devices = {}) {
-        m_site = std::make_unique<test::SiteProcess>(
-            domain, "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n" + devices);
+        m_site = std::make_unique<test::SiteProcess>(domain, kPractice + devices);
         m_site->start();
         m_viewer = std::make_unique<test::TestConsole>(*m_site, "v", true);
         ConsoleOptions options;
@@ -59,6 +64,17 @@ class ConsoleSiteTest : public QObject, protected test::WindowBench {
     [[nodiscard]] bool panelSays(const QString& text) const {
         return std::ranges::any_of(m_jog->findChildren<QLabel*>(),
                                    [&](const QLabel* label) { return label->text().contains(text); });
+    }
+    [[nodiscard]] bool messagesSay(const QString& text) const {
+        const auto* messages = m_window->operatePage().findChild<chrome::MessageBar*>();
+        return std::ranges::any_of(messages->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text().contains(text); });
+    }
+    [[nodiscard]] QAction* armAction(const QString& begin) const {
+        for (QAction* action : m_window->findChildren<QAction*>())
+            if (action->text().remove(QLatin1Char('&')).startsWith(begin) && action->text().contains("site"))
+                return action;
+        return nullptr;
     }
     void click(const char* button) {
         QTest::mouseClick(m_bar->findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
@@ -167,6 +183,65 @@ private slots:
                                   kPatience_ms);
         m_site->start();
         QTRY_VERIFY_WITH_TIMEOUT(tile()->picture().problem.isEmpty(), kPatience_ms);
+    }
+
+    void whoIsAtTheSiteAndWhatHappensThereIsSaid() {
+        connectToSite(143);
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: nobody controls"), kPatience_ms);
+        QVERIFY(armAction("Request")->isEnabled() && !armAction("Take over")->isEnabled());
+        test::TestConsole boss(m_site->fileOf("boss", false, "B. Name"));
+        QCOMPARE(boss.ask(site::RequestKind::request), site::RequestAnswer::done);
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: B. Name controls"), kPatience_ms);
+        QVERIFY(!armAction("Request")->isEnabled() && armAction("Take over")->isEnabled());
+        QVERIFY(m_bar->findChild<QLabel*>("details")->accessibleDescription().contains("boss (B. Name)"));
+
+        // An offer is declined with a reason, which the other one is shown.
+        boss.request(site::RequestKind::offer, "a");
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: B. Name offers you control"),
+                                  kPatience_ms);
+        QTest::keyClicks(m_bar->findChild<QLineEdit*>("reason"), "not now");
+        click("decline");
+        QTRY_VERIFY_WITH_TIMEOUT(boss.view().request && boss.view().request->declined, kPatience_ms);
+        QCOMPARE(*boss.view().request->declined, std::string("not now"));
+        QCOMPARE(boss.view().request->answer, site::RequestAnswer::expired);
+
+        // Control comes, and is handed on from the menu.
+        boss.request(site::RequestKind::offer, "a");
+        QTRY_VERIFY_WITH_TIMEOUT(m_bar->findChild<QPushButton*>("accept")->isVisible(), kPatience_ms);
+        click("accept");
+        QTRY_COMPARE_WITH_TIMEOUT(m_bar->headline(), QStringLiteral("lab: you control"), kPatience_ms);
+        auto* successors = m_window->findChild<QMenu*>("handOver");
+        QTRY_VERIFY_WITH_TIMEOUT(successors->isEnabled() && armAction("Release")->isEnabled(), kPatience_ms);
+        QCOMPARE(successors->actions().size(), 1);
+        QCOMPARE(successors->actions().front()->text(), QStringLiteral("boss (B. Name)"));
+        successors->actions().front()->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(boss.view().offeredTo, std::string("boss"), kPatience_ms);
+
+        // A second program of a name that is taken.
+        const test::TestConsole twin(*m_site, "v", true);
+        QTRY_VERIFY_WITH_TIMEOUT(messagesSay("lab: another program named v is connected; it is ignored."),
+                                 kPatience_ms);
+    }
+
+    /// Never two secure participants in one process: the viewer would have the permissions of the console.
+    void keysThatComeToTheirEndMeanwhileAreTold() {
+        m_site = std::make_unique<test::SiteProcess>(148, kPractice);
+        m_site->secure({"a"}, {});
+        m_site->setDevices(kPractice);
+        m_site->start();
+        ConsoleOptions options;
+        options.sites = {QString::fromStdString(m_site->fileOf("a"))};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->operatePage().armViews().joints() != nullptr, kPatience_ms);
+        console::SiteViews& views = m_window->operatePage().siteViews();
+        QTRY_VERIFY_WITH_TIMEOUT(views.mayRequest(), kPatience_ms);
+        QVERIFY(!messagesSay("The certificate ends on"));
+        m_site->renew("a", 9);
+        views.setKeyPeriod(std::chrono::milliseconds(50));
+        QTRY_VERIFY_WITH_TIMEOUT(messagesSay("The certificate ends on"), kPatience_ms);
+        // It is told once.
+        const auto* messages = m_window->operatePage().findChild<chrome::MessageBar*>();
+        QVERIFY(!QTest::qWaitFor([messages] { return messages->repeats() > 1; }, 500));
     }
 
     void aSiteThatIsGoneIsSaid() {

@@ -2,6 +2,7 @@
 #include "widgets/site/site_bar.h"
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
@@ -150,6 +151,72 @@ private slots:
         const QString details = bar.findChild<QLabel*>("details")->text();
         for (const char* part : {"loop 41 ms", "\u00b121 ms", "3 refused: the loop takes too long"})
             QVERIFY2(details.contains(QString::fromUtf8(part)), qPrintable(details));
+    }
+
+    void whatIsNeededSeldomIsInTheToolTip() {
+        SiteBar bar;
+        SiteBarState state = at(Mode::held, "b");
+        state.persons = {{"b", "B. <i>Name</i>"}, {"v", "V. Name"}};
+        state.viewers = QStringList{"v", "w"};
+        state.medianLoop_s = 0.0412;
+        state.slowLoop_s = 0.0634;
+        state.clockOffset_s = -12.3456;
+        state.clockBound_s = 0.0206;
+        state.statesLost = 2;
+        state.losses = {{"arm: joints", 12}, {"pad", 0}};
+        state.refused = 4;
+        state.refusedBy = {{"STOP is engaged", 3}, {"the arm is not live", 1}};
+        bar.setState(state);
+        const auto* details = bar.findChild<QLabel*>("details");
+        const QString told = details->accessibleDescription();
+        QCOMPARE(told,
+                 QStringLiteral("In control: b (B. <i>Name</i>); Viewers: v (V. Name), w; "
+                                "Loop: median 41 ms, 99 %: 63 ms; Clock offset: -12.346 s \u00b1 21 ms; "
+                                "2 state(s) of the site were lost on the way; Lost of arm: joints: 12; "
+                                "Lost of pad: 0; Refused: STOP is engaged (3); "
+                                "Refused: the arm is not live (1)"));
+        QVERIFY2(details->toolTip().contains("B. &lt;i&gt;Name"), "a name is no markup");
+        QCOMPARE(bar.findChild<QLabel*>("headline")->toolTip(), details->toolTip());
+    }
+
+    void personsAreNamedWhereTheyTellWhoTheyAre() {
+        SiteBar bar;
+        SiteBarState state = at(Mode::held, "b");
+        state.persons = {{"b", "B. Name"}};
+        bar.setState(state);
+        QCOMPARE(bar.headline(), QStringLiteral("lab: B. Name controls"));
+        state.controller = "c";
+        bar.setState(state);
+        QCOMPARE(bar.headline(), QStringLiteral("lab: c controls"));
+        SiteBarState here = at(Mode::held, "a", true);
+        here.others = QStringList{"b", "c"};
+        here.persons = {{"b", "B. Name"}};
+        bar.setState(here);
+        const auto entries = bar.findChild<QToolButton*>("handOver")->menu()->actions();
+        QCOMPARE(entries.at(0)->text(), QStringLiteral("b (B. Name)"));
+        QCOMPARE(entries.at(1)->text(), QStringLiteral("c"));
+    }
+
+    void whoDeclinesMaySayWhy() {
+        SiteBar bar;
+        QSignalSpy declines(&bar, &SiteBar::declined);
+        bar.show();
+        auto* reason = bar.findChild<QLineEdit*>("reason");
+        QVERIFY(!reason->isVisible());
+        SiteBarState away = at(Mode::offered, "a", true);
+        away.offeredTo = "boss";
+        bar.setState(away);
+        QVERIFY(reason->isVisible());
+        click(bar, "decline");
+        QCOMPARE(declines.at(0).at(0).toString(), QString());
+        QTest::keyClicks(reason, "nearly done ");
+        QTest::keyClick(reason, Qt::Key_Return);
+        QCOMPARE(declines.size(), 2);
+        QCOMPARE(declines.at(1).at(0).toString(), QStringLiteral("nearly done"));
+        // What was not sent is not for the next one.
+        QTest::keyClicks(reason, "wait");
+        bar.setState(at(Mode::held, "a", true));
+        QVERIFY(!reason->isVisible() && reason->text().isEmpty());
     }
 };
 

@@ -7,6 +7,7 @@
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/event_words.h"
+#include "devices/site/site_client.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -201,6 +202,11 @@ void RecordingService::close() {
     if (const auto session = m_braceletSession.lock())
         session->record(nullptr);
     m_braceletSession.reset();
+    for (const auto& known : m_sites) {
+        if (const auto site = known.lock())
+            site->recordClock(nullptr);
+    }
+    m_sites.clear();
     m_marks.end();
     m_stopping = std::async(std::launch::async, [recorder = m_recorder] { return recorder->stop(); });
     enter(State::stopping);
@@ -287,6 +293,18 @@ void RecordingService::join(SourceManager::Item& item) {
     m_joined[item.key] = prefix;
     tell(recording::kSourceJoined, prefix);
     item.channel->record(m_recorder, prefix);
+    joinSite(item);
+}
+
+void RecordingService::joinSite(const SourceManager::Item& item) {
+    const auto* remote = std::get_if<app::SiteRequest>(&item.request);
+    const auto site = remote != nullptr ? remote->site.lock() : nullptr;
+    if (!site || std::ranges::any_of(m_sites, [&](const auto& known) { return known.lock() == site; }))
+        return;
+    m_sites.push_back(site);
+    recording::StreamInfo stream = site->clockStream();
+    stream.name = prefixFor(QString::fromStdString(stream.name));
+    site->recordClock(m_recorder->addStream(std::move(stream)));
 }
 
 void RecordingService::joinBracelet() {

@@ -74,6 +74,8 @@ private:
     void close();
     void join(SourceManager::Item& item);
     void joinBracelet();
+    /// The clock of the site at which the source is.
+    void joinSite(const SourceManager::Item& item);
     void leave(pipeline::ChannelKey key);
     void watch();
     void tell(const std::string& kind, const std::string& text);
@@ -98,7 +100,8 @@ private:
     std::map<pipeline::ChannelKey, std::string> m_joined;       ///< names in the recording
     std::map<pipeline::ChannelKey, core::DeviceState> m_states; ///< as they were told
     std::vector<std::string> m_prefixes;
-    std::weak_ptr<BraceletSession> m_braceletSession; ///< that is recorded
+    std::weak_ptr<BraceletSession> m_braceletSession;          ///< that is recorded
+    std::vector<std::weak_ptr<site_link::SiteClient>> m_sites; ///< whose clocks are recorded
     bool m_wasStopped = false;
 };
 
