@@ -11,6 +11,7 @@ namespace teleta::ros_arm {
 namespace {
 
 constexpr double kShortestQuaternion = 1e-6;
+constexpr double kLongestQuaternion = 1e6;
 
 /// Older programs write a slash before the name.
 std::string nameOf(const char* text) {
@@ -29,7 +30,9 @@ void FrameTree::take(const ros::TFMessage& message, std::optional<std::int64_t> 
         const Eigen::Vector3d p_Parent_Frame(x, y, z);
         const Eigen::Quaterniond rotation(turn.w, turn.x, turn.y, turn.z);
         const std::string name = nameOf(told.child_frame_id);
-        const bool isUsable = p_Parent_Frame.allFinite() && rotation.coeffs().allFinite() &&
+        // Sums of such places, and squares of such rotations, do not overflow.
+        const bool isUsable = (p_Parent_Frame.array().abs() <= kFarthest_m).all() &&
+                              (rotation.coeffs().array().abs() <= kLongestQuaternion).all() &&
                               rotation.norm() > kShortestQuaternion && !name.empty();
         if (!isUsable || (m_frames.size() >= kMostFrames && !m_frames.contains(name)))
             continue;

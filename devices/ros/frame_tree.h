@@ -22,6 +22,7 @@ public:
     /// Frames that may hang on each other.
     static constexpr int kLongestWay = 64;
     static constexpr std::size_t kMostFrames = 10'000;
+    static constexpr double kFarthest_m = 1e9; ///< of a frame from its parent, along each axis
     /// A frame of /tf that was not reported for so long is not known any more.
     static constexpr std::int64_t kMovingMemory_ns = 1'000'000'000;
 
@@ -43,8 +44,8 @@ public:
         double oldestBy_s = 0.0; ///< by which the oldest of them is older
     };
 
-    /// Adds frames of /tf_static, or moves known ones. A transform that is not finite, or without a rotation,
-    /// is left out; so are new frames beyond kMostFrames.
+    /// Adds frames of /tf_static, or moves known ones. A transform that is not finite, without a rotation, or
+    /// farther than kFarthest_m is left out; so are new frames beyond kMostFrames.
     void takeFixed(const ros::TFMessage& message) { take(message, std::nullopt); }
     /// The same of /tf, read at this steady time.
     void takeMoving(const ros::TFMessage& message, std::int64_t read_ns) { take(message, read_ns); }

@@ -15,12 +15,15 @@ namespace teleta::site_link {
 namespace {
 
 constexpr std::size_t kTwistValues = 6;
+/// Farther is no target of a joint without a limit, so that no rate is infinite.
+constexpr double kFarthest_rad = 1e9;
 
-/// Of a joint without a limit, the angle as it is asked for.
+/// Of a joint without a limit, the angle as it is asked for, within kFarthest_rad.
 double withinRange(const core::ArmDescription& arm, std::size_t joint, double angle_rad) {
     const double lowest = arm.lowest_rad[joint];
     const double highest = arm.highest_rad[joint];
-    return lowest <= highest ? std::clamp(angle_rad, lowest, highest) : angle_rad;
+    const double near = std::clamp(angle_rad, -kFarthest_rad, kFarthest_rad);
+    return lowest <= highest ? std::clamp(near, lowest, highest) : near;
 }
 
 core::JointVector ratesTo(const core::JointVector& target_rad, const core::ArmDescription& arm,

@@ -76,6 +76,9 @@ bool hidReports(Bytes bytes);
 bool rosJointStates(Bytes bytes);    ///< messages in a form of the test, as the middleware hands them over
 bool rosArrayMessages(Bytes bytes);  ///< the same of arrays
 bool rosCameraMessages(Bytes bytes); ///< the same of cameras
+bool rosFrames(Bytes bytes);         ///< the same of /tf and /tf_static
+bool rosNodes(Bytes bytes);          ///< the same of ros_discovery_info
+bool siteMotions(Bytes bytes);       ///< what a console asks of an arm
 
 [[nodiscard]] inline std::string textOf(Bytes bytes) {
     return {bytes.begin(), bytes.end()};

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/ros/joint_state_joiner.h"
+#include "backend/ros/node_list.h"
 #include "devices/ros/array/array_message.h"
 #include "devices/ros/camera/camera_message.h"
 #include "devices/ros/camera/ros_camera_file.h"
 #include "devices/ros/files/ros_wrench_file.h"
+#include "devices/ros/frame_tree.h"
+#include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_check.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/floating_point_traps.h"
@@ -11,47 +14,117 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace teleta::fuzz {
 
 namespace {
 
-/// Reads numbers from the bytes; zeros after their end.
-class Source {
-public:
-    explicit Source(Bytes bytes)
-        : m_bytes(bytes) {}
+/// All that is told of a pose is finite, and it turns without changing lengths.
+bool isPose(const Eigen::Isometry3d& pose) {
+    return pose.matrix().allFinite() && pose.linear().isUnitary(1e-6);
+}
 
-    [[nodiscard]] bool atEnd() const { return m_bytes.empty(); }
-    template <typename Number>
-    Number next() {
-        Number number{};
-        const std::size_t count = std::min(sizeof number, m_bytes.size());
-        if (count > 0) // no bytes may have no address
-            std::memcpy(&number, m_bytes.data(), count);
-        m_bytes = m_bytes.subspan(count);
-        return number;
+template <typename Message>
+bool tellsNodes(ByteSource& source) {
+    using Info = std::remove_pointer_t<decltype(Message{}.node_entities_info_seq._buffer)>;
+    using Gid = std::remove_pointer_t<decltype(Info{}.reader_gid_seq._buffer)>;
+    std::vector<Info> infos(source.next<std::uint8_t>() % 4U);
+    std::vector<std::vector<Gid>> gids(2 * infos.size());
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        const auto text = [&source](char* name) {
+            const std::size_t length = source.next<std::uint8_t>() % 8U;
+            for (std::size_t at = 0; at < length; ++at)
+                name[at] = source.next<char>();
+        };
+        text(infos[i].node_namespace);
+        text(infos[i].node_name);
+        gids[2 * i].resize(source.next<std::uint8_t>() % 5U);
+        gids[2 * i + 1].resize(source.next<std::uint8_t>() % 5U);
+        ros::lend(infos[i].reader_gid_seq, std::span(gids[2 * i]));
+        ros::lend(infos[i].writer_gid_seq, std::span(gids[2 * i + 1]));
     }
-    std::vector<double> numbers(std::size_t count) {
-        std::vector<double> values(count);
-        for (double& value : values)
-            value = next<double>();
-        return values;
+    Message message{};
+    ros::lend(message.node_entities_info_seq, std::span(infos));
+    const std::optional<std::vector<ros::Node>> nodes = ros::nodesOf(message);
+    if (!nodes)
+        return false;
+    require(!nodes->empty() && nodes->size() == infos.size(), "all nodes are told, or none");
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        const ros::Node& node = (*nodes)[i];
+        require(node.name.starts_with('/') && !node.name.ends_with('/'), "a node has a name");
+        require(node.subscribers == gids[2 * i].size() && node.publishers == gids[2 * i + 1].size(),
+                "its ends are counted");
     }
-
-private:
-    Bytes m_bytes;
-};
+    return true;
+}
 
 } // namespace
+
+bool rosFrames(Bytes bytes) {
+    const test::FloatingPointTraps traps;
+    const std::array<std::string, 6> names{"", "a", "/a", "b", "c", "d"};
+    ros_arm::FrameTree tree;
+    ByteSource source(bytes);
+    std::int64_t now_ns = 0;
+    bool any = false;
+    while (!source.atEnd()) {
+        now_ns += std::int64_t{source.next<std::uint8_t>()} * 1'000'000;
+        const bool moves = source.next<std::uint8_t>() % 2U == 1;
+        std::vector<std::remove_pointer_t<decltype(ros::TFMessage{}.transforms._buffer)>> transforms(
+            source.next<std::uint8_t>() % 4U);
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < 2 * transforms.size(); ++i)
+            texts.push_back(names[source.next<std::uint8_t>() % names.size()]);
+        for (std::size_t i = 0; i < transforms.size(); ++i) {
+            auto& one = transforms[i];
+            one.header.frame_id = texts[2 * i].empty() ? nullptr : texts[2 * i].data();
+            one.child_frame_id = texts[2 * i + 1].empty() ? nullptr : texts[2 * i + 1].data();
+            one.header.stamp = {source.next<std::int32_t>(), source.next<std::uint32_t>()};
+            const std::vector<double> numbers = source.numbers(7);
+            one.transform.translation = {numbers[0], numbers[1], numbers[2]};
+            one.transform.rotation = {numbers[3], numbers[4], numbers[5], numbers[6]};
+        }
+        ros::TFMessage message{};
+        ros::lend(message.transforms, std::span(transforms));
+        if (moves)
+            tree.takeMoving(message, now_ns);
+        else
+            tree.takeFixed(message);
+        for (const char* from : {"a", "b", "c", "d"}) {
+            for (const char* to : {"a", "b", "c", "d"}) {
+                const std::optional<ros_arm::FrameTree::Pose> pose = tree.between(from, to);
+                require(pose.has_value() || std::string_view(from) != to, "a frame hangs on itself");
+                if (!pose)
+                    continue;
+                require(isPose(pose->X_From_To), "a pose turns and shifts");
+                require(std::isfinite(pose->stamp_s) && pose->oldestBy_s >= 0.0, "times are times");
+                any = any || std::string_view(from) != to;
+            }
+        }
+    }
+    return any;
+}
+
+bool rosNodes(Bytes bytes) {
+    ByteSource source(bytes);
+    bool any = false;
+    while (!source.atEnd()) {
+        const bool told = source.next<std::uint8_t>() % 2U == 0 ? tellsNodes<ros::HumbleNodes>(source)
+                                                                : tellsNodes<ros::JazzyNodes>(source);
+        any = any || told;
+    }
+    return any;
+}
 
 bool rosJointStates(Bytes bytes) {
     const test::FloatingPointTraps traps;
     ros::JointStateJoiner joiner({"a", "b", "c"}, 0.1);
-    Source source(bytes);
+    ByteSource source(bytes);
     bool joined = false;
     std::uint64_t messages = 0;
     std::size_t unknownNames = 0;
@@ -126,7 +199,7 @@ bool rosSensorFile(Bytes bytes) {
 }
 
 bool rosCameraMessages(Bytes bytes) {
-    Source source(bytes);
+    ByteSource source(bytes);
     bool any = false;
     while (!source.atEnd()) {
         core::Expected<core::ColourImage> picture = core::ColourImage();
@@ -173,7 +246,7 @@ bool rosCameraMessages(Bytes bytes) {
 }
 
 bool rosArrayMessages(Bytes bytes) {
-    Source source(bytes);
+    ByteSource source(bytes);
     ros_array::RosArrayFile file;
     file.layout = {1 + source.next<std::uint8_t>() % 4, 1 + source.next<std::uint8_t>() % 4, 1e-3};
     file.scale = 1.0 + source.next<std::int8_t>() * 2.0;
