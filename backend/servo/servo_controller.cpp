@@ -20,7 +20,7 @@ bool usable(const ServoInput& input) {
            std::isfinite(f.peak_N) && finite(f.copX_m) && finite(f.copY_m) && finite(f.cocX_m) &&
            finite(f.cocY_m) && finite(f.alphaZ_rad) &&
            input.X_Base_Sensor.matrix().array().isFinite().all() &&
-           (!input.q_rad || input.q_rad->array().isFinite().all());
+           (!input.q_rad || std::ranges::all_of(*input.q_rad, [](double q) { return std::isfinite(q); }));
 }
 
 Twist feedForward(const FeedForward& forward, double time_s) {
@@ -57,10 +57,10 @@ std::optional<double> ServoOutput::desiredDzmpY_m() const {
 }
 
 tl::expected<ServoController, TaskRefusal> ServoController::create(ServoPlan plan,
-                                                                   const std::optional<ArmGuard>& arm) {
+                                                                   std::shared_ptr<const ServoArm> arm) {
     if (const auto fine = check(plan); !fine)
         return tl::unexpected(fine.error());
-    return ServoController(std::move(plan), arm);
+    return ServoController(std::move(plan), std::move(arm));
 }
 
 tl::expected<void, TaskRefusal> ServoController::setTask(std::size_t index, const ServoTask& task) {
@@ -216,21 +216,20 @@ Twist ServoController::limited(const Twist& wanted, const ServoInput& input, con
         output.limits.set(Limit::toolSpeed);
         twist *= limits.toolSpeed_mPerS / speed_mPerS;
     }
-    if (!m_arm || !input.q_rad)
+    if (!m_arm || !input.q_rad || input.q_rad->size() != m_arm->joints())
         return twist;
 
-    const LwrPosture posture = m_arm->kinematics.forward(*input.q_rad);
     const Eigen::Matrix3d R_Base_Sensor = m_X_Base_Sensor.linear();
     Twist atSensor_Base;
     atSensor_Base << R_Base_Sensor * twist.head<3>(), R_Base_Sensor * twist.tail<3>();
-    const JointMotion motion = solveRates(*input.q_rad, posture.jacobian, atSensor_Base, m_arm->inverse);
-    if (motion.scale < 1.0)
+    const SensorMotion motion = m_arm->carryOut(*input.q_rad, atSensor_Base);
+    if (motion.slowed)
         output.limits.set(Limit::jointSpeed);
-    if (motion.atEnd.any())
+    if (motion.atEnd)
         output.limits.set(Limit::jointEnd);
-    if (motion.damping > 0.0)
+    if (motion.singular)
         output.limits.set(Limit::singular);
-    if (!motion.limited() && motion.damping == 0.0)
+    if (!motion.isLimited())
         return twist;
     twist << R_Base_Sensor.transpose() * motion.achieved.head<3>(),
         R_Base_Sensor.transpose() * motion.achieved.tail<3>();
@@ -290,6 +289,8 @@ ServoOutput ServoController::step(const ServoInput& input) {
         output.limits.set(Limit::gap);
 
     updateContact(input, dt_s, output);
+    if (input.bySpeed && !m_search.running())
+        m_X_Base_Sensor = input.X_Base_Sensor;
     if (!m_search.running()) {
         const double desired_rad = m_plan.tasks[m_phases.index()].desired.alphaZ_rad;
         const double alphaError_rad =

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "backend/contact/tactile_features.h"
+#include "backend/core/device/joint_vector.h"
 #include "backend/servo/active_limits.h"
 #include "backend/servo/contact_search.h"
-#include "backend/servo/lwr_inverse.h"
 #include "backend/servo/pi_regulator.h"
+#include "backend/servo/servo_arm.h"
 #include "backend/servo/servo_phases.h"
 #include "backend/servo/servo_task.h"
 
@@ -13,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -22,8 +24,11 @@ struct ServoInput {
     contact::TactileFeatures features;
     double dt_s = 0.0;                                               ///< time since the previous frame; > 0
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
-    std::optional<LwrVector> q_rad; ///< measured joint angles; without them the joint limits are not checked
-    bool hold = false;              ///< STOP: the measured pose becomes the command and is held
+    /// Measured joint angles, as many as the arm has joints; without them the joint limits are not checked.
+    std::optional<core::JointVector> q_rad;
+    bool hold = false; ///< STOP: the measured pose becomes the command and is held
+    /// The twist drives the arm, not the pose: but for a search, the measured pose counts as the current one.
+    bool bySpeed = false;
 };
 
 struct ServoOutput {
@@ -53,20 +58,15 @@ struct ServoOutput {
     [[nodiscard]] std::optional<double> desiredDzmpY_m() const;
 };
 
-/// The arm that carries the sensor.
-struct ArmGuard {
-    LwrKinematics kinematics; ///< its tool is the sensor
-    InverseSettings inverse;
-};
-
 /// Tactile servo controller: computes the desired pose of the sensor from the features of one frame.
 ///   ds = s_d - J^-1 s,  ds_task = P ds,  u = K_P ds_task + K_I int ds_task dt        (7)-(10), (13)
 /// (the integral is that of PiRegulator).
 ///   twist_Base = Ad(X_Base_Sensor) u,   X_Base_Sensor <- exp(twist_Base dt) X_Base_Sensor
 /// The pose is measured once, in the first step; from then on the commanded pose is taken as the current one
-/// (12), (15). An undefined feature has no error. Turns keep the centre of contact in place. Limits act after
-/// the control law in the order force, saturation, speed, joints, deviation; each one that acts is reported
-/// and removes its share from the integrals. Works at any rate: a step longer than the task's longestStep_s
+/// (12), (15); not so for an arm that the twist drives (ServoInput::bySpeed), which adds up what it did
+/// itself. An undefined feature has no error. Turns keep the centre of contact in place. Limits act after the
+/// control law in the order force, saturation, speed, joints, deviation; each one that acts is reported and
+/// removes its share from the integrals. Works at any rate: a step longer than the task's longestStep_s
 /// counts as longestStep_s. When a task that needs contact has had none for lostAfter_s, it searches
 /// (ContactSearch) and finally stands still in the state "lost"; as soon as there is contact again the plan
 /// continues. STOP commands the pose measured at that moment, so that the springs of the arm no longer press.
@@ -75,7 +75,7 @@ class ServoController {
 public:
     /// plan: must pass check(). arm: needed for joint limits and singularities only.
     [[nodiscard]] static tl::expected<ServoController, TaskRefusal>
-    create(ServoPlan plan, const std::optional<ArmGuard>& arm = {});
+    create(ServoPlan plan, std::shared_ptr<const ServoArm> arm = nullptr);
 
     ServoOutput step(const ServoInput& input);
 
@@ -90,9 +90,9 @@ public:
     void reset();
 
 private:
-    ServoController(ServoPlan plan, const std::optional<ArmGuard>& arm)
+    ServoController(ServoPlan plan, std::shared_ptr<const ServoArm> arm)
         : m_plan(std::move(plan))
-        , m_arm(arm)
+        , m_arm(std::move(arm))
         , m_phases(m_plan) {}
 
     struct Wanted {
@@ -112,7 +112,7 @@ private:
                                         double dt_s, ServoOutput& output) const;
 
     ServoPlan m_plan;
-    std::optional<ArmGuard> m_arm;
+    std::shared_ptr<const ServoArm> m_arm;
     ServoPhases m_phases;
     PiRegulator m_regulator;
     std::optional<Vector6> m_desired; ///< desired components in the last step of the control law

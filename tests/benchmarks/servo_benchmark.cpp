@@ -7,6 +7,7 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/scene_run/servo/servo_measures.h"
+#include "backend/servo/lwr_arm.h"
 #include "backend/simulation/servo/servo_loop.h"
 #ifdef TELETA_MUJOCO
 #include "tests/benchmarks/servo_in_mujoco.h"
@@ -89,9 +90,9 @@ void controlPart(benchmark::State& state, const std::string& name) {
     input.features = loop->features();
     input.dt_s = 0.01;
     input.X_Base_Sensor = loop->world().arm().X_Base_Sensor();
-    input.q_rad = loop->world().arm().state().q_rad;
-    auto controller = servo::ServoController::create(loop->controller().plan(),
-                                                     servo::ArmGuard{loop->world().arm().kinematics(), {}});
+    input.q_rad = servo::jointVector(loop->world().arm().state().q_rad);
+    auto controller = servo::ServoController::create(
+        loop->controller().plan(), std::make_shared<servo::LwrArm>(loop->world().arm().kinematics()));
     for (auto _ : state)
         benchmark::DoNotOptimize(controller->step(input));
 }

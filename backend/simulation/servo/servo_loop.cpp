@@ -2,6 +2,7 @@
 #include "backend/simulation/servo/servo_loop.h"
 
 #include "backend/core/steady_time.h"
+#include "backend/servo/lwr_arm.h"
 
 #include <algorithm>
 #include <utility>
@@ -58,8 +59,8 @@ contact::FeatureSettings servoFeatures(const scene::Scene& scene) {
 
 core::Expected<std::unique_ptr<ServoLoop>> ServoLoop::make(const scene::Scene& scene, std::uint64_t seed) {
     TELETA_TRY(std::unique_ptr<SimulatedServoWorld> world, SimulatedServoWorld::make(scene, seed));
-    auto controller =
-        servo::ServoController::create(servoPlan(scene), servo::ArmGuard{world->arm().kinematics(), {}});
+    auto controller = servo::ServoController::create(
+        servoPlan(scene), std::make_shared<servo::LwrArm>(world->arm().kinematics()));
     // checkServoScene keeps the task within the controller's range.
     return std::unique_ptr<ServoLoop>(new ServoLoop(scene, std::move(world), std::move(controller).value()));
 }
@@ -118,7 +119,7 @@ void ServoLoop::cycle(bool hold, servo::CycleTimes* times) {
     input.features = m_features;
     input.dt_s = static_cast<double>(cycle - m_lastServo) * m_servoStep_s;
     input.X_Base_Sensor = m_world->arm().X_Base_Sensor();
-    input.q_rad = m_world->arm().state().q_rad;
+    input.q_rad = servo::jointVector(m_world->arm().state().q_rad);
     input.hold = hold;
     m_lastServo = cycle;
     {

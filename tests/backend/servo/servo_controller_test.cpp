@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/servo/lwr_arm.h"
 #include "backend/servo/servo_controller.h"
 #include "tests/backend/contact/allocation_count.h"
 #include "tests/backend/servo/servo_frames.h"
@@ -7,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 using namespace teleta::servo;
@@ -209,14 +211,14 @@ TEST(ServoController, theCommandStaysNearTheMeasuredPose) {
 TEST(ServoController, jointsAtTheirLimitsAndSingularArmsAreReported) {
     const double degree = std::numbers::pi / 180.0;
     const LwrKinematics arm(Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.05)));
-    const ArmGuard guard{arm, {}};
+    const auto guard = std::make_shared<const LwrArm>(arm);
     LwrVector q_rad;
     q_rad << 10, 30, -20, -80, 15, 60, 5;
     q_rad *= degree;
     const auto stepAt = [&](const LwrVector& q, ServoTask task) {
         ServoController controller = *ServoController::create(planOf(task), guard);
         ServoInput input = inputOf(kEven, 0.01, arm.X_Base_Tool(q));
-        input.q_rad = q;
+        input.q_rad = jointVector(q);
         return controller.step(input);
     };
     ServoTask slide = exploreTask(5.0, 0.005);
@@ -289,12 +291,27 @@ TEST(ServoController, gainsAndTasksChangeWhileItRunsWithinLimits) {
     EXPECT_EQ(controller.enter(1).error(), TaskRefusal::badReference);
 }
 
+TEST(ServoController, anArmThatTheTwistDrivesIsWhereItIsMeasured) {
+    // It does nothing of what it is told: the command must not run away from it, nor act as a limit.
+    ServoController controller = *ServoController::create(planOf(freeMotion(0.05)));
+    const Isometry3d here(Eigen::Translation3d(0.1, 0.2, 0.3));
+    for (int i = 0; i < 1000; ++i) {
+        ServoInput input = inputOf(nothing(), 0.01, here);
+        input.bySpeed = true;
+        const ServoOutput out = controller.step(input);
+        EXPECT_FALSE(out.limits.any()) << out.limits.names();
+        EXPECT_DOUBLE_EQ(out.twist_Sensor[kZ], 0.05);
+        EXPECT_NEAR((out.X_Base_Sensor.translation() - here.translation()).norm(), 0.05 * 0.01, 1e-12);
+    }
+}
+
 TEST(ServoController, aStepAllocatesNothing) {
-    ServoController controller = *ServoController::create(explorePlan(), ArmGuard{LwrKinematics(), {}});
+    ServoController controller =
+        *ServoController::create(explorePlan(), std::make_shared<LwrArm>(LwrKinematics()));
     ServoInput input = inputOf(kEven);
     LwrVector q_rad;
     q_rad << 0.2, 0.5, -0.3, -1.4, 0.3, 1.0, 0.1;
-    input.q_rad = q_rad;
+    input.q_rad = jointVector(q_rad);
     input.X_Base_Sensor = LwrKinematics().X_Base_Tool(q_rad);
     controller.step(input);
     const std::size_t before = teleta::contact::test::allocationCount();

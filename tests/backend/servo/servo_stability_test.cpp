@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of tactile servoing and the expected behaviour.
+#include "backend/servo/lwr_arm.h"
 #include "backend/servo/servo_controller.h"
 #include "tests/backend/servo/servo_frames.h"
 #include "tests/support/floating_point_traps.h"
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -149,7 +151,7 @@ TEST(ServoHardCases, numbersThatAreNoneMoveNothing) {
     bad[3].features.force_N = infinity;
     bad[4].features.copX_m = nan;
     bad[5].X_Base_Sensor.translation().x() = nan;
-    bad[6].q_rad = LwrVector::Constant(nan);
+    bad[6].q_rad = jointVector(LwrVector::Constant(nan));
     for (const ServoInput& input : bad) {
         const ServoOutput out = controller.step(input);
         EXPECT_TRUE(out.limits.has(Limit::badInput));
@@ -271,16 +273,17 @@ TEST(ServoHardCases, aSearchWhoseTargetIsOutOfReachEndsAndSaysSo) {
     const LwrKinematics arm;
     LwrVector q_rad;
     q_rad << 0.1, 0.6, 0.1, -1.4, 0.1, 0.9, 0.1;
-    ArmGuard guard{arm, {}};
-    guard.inverse.limits.lowest_rad = q_rad;
-    guard.inverse.limits.highest_rad = q_rad;
+    InverseSettings inverse;
+    inverse.limits.lowest_rad = q_rad;
+    inverse.limits.highest_rad = q_rad;
     const ServoTask task = exploreTask(5.0, 0.005);
-    ServoController controller = *ServoController::create(planOf(task), guard);
+    ServoController controller =
+        *ServoController::create(planOf(task), std::make_shared<LwrArm>(arm, inverse));
     const SearchSettings search = planOf(task).search;
     const Isometry3d X = arm.X_Base_Tool(q_rad);
     const auto step = [&](const teleta::contact::TactileFeatures& features) {
         ServoInput input = inputOf(features, 0.01, X);
-        input.q_rad = q_rad;
+        input.q_rad = jointVector(q_rad);
         return controller.step(input);
     };
     for (int i = 0; i < 20; ++i)
@@ -349,7 +352,7 @@ TEST(ServoHardCases, aTaskThatIsBegunAfterTheContactWasLostRuns) {
 
 TEST(ServoHardCases, anArmThroughItsSingularityGetsBoundedCommands) {
     const LwrKinematics arm;
-    const ArmGuard guard{arm, {}};
+    const auto guard = std::make_shared<const LwrArm>(arm);
     ServoTask task = freeMotion(0.05);
     ServoController controller = *ServoController::create(planOf(task), guard);
     LwrVector q_rad = LwrVector::Zero();
@@ -359,7 +362,7 @@ TEST(ServoHardCases, anArmThroughItsSingularityGetsBoundedCommands) {
     bool singular = false;
     for (int i = 0; i < 500; ++i) {
         ServoInput input = inputOf(nothing(), 0.01, arm.X_Base_Tool(q_rad));
-        input.q_rad = q_rad;
+        input.q_rad = jointVector(q_rad);
         const ServoOutput out = controller.step(input);
         ASSERT_TRUE(out.X_Base_Sensor.matrix().array().isFinite().all());
         EXPECT_LE((out.X_Base_Sensor.translation() - last.translation()).norm(), 0.05 * 0.01 + 1e-12);
