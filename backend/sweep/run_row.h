@@ -16,7 +16,7 @@ namespace teleta::sweep {
 /// What a run gave.
 struct RunRow {
     std::uint64_t run = 0;
-    std::string reason; ///< why it failed; empty: it did not
+    std::string reason;     ///< why it failed; empty: it did not
     std::uint64_t part = 0; ///< number of the part that it was read from; its frames have the same number
     double wall_s = 0.0;
     double processor_s = 0.0;

@@ -22,7 +22,8 @@ struct SweepFolder {
     /// when the folder holds something else; ioFailed.
     [[nodiscard]] core::Expected<void> open(const SweepPlan& plan, bool restart) const;
 
-    /// Merges what there is: runs.csv, cells.csv, with frames frames.csv, figures/ and sweep.json. Error: as mergeParts().
+    /// Merges what there is: runs.csv, cells.csv, with frames frames.csv, figures/ and sweep.json. Error: as
+    /// mergeParts().
     [[nodiscard]] core::Expected<SweepResults> merge(const SweepPlan& plan) const;
 
     /// A folder as its sweep.json describes it. Error: notFound without one, badInput, ioFailed.

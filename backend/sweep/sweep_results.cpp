@@ -37,20 +37,23 @@ core::Expected<MergedRuns> mergedRuns(const SweepPlan& plan, const std::string& 
     MergedRuns merged;
     std::unordered_map<std::string, std::uint32_t> places;
     std::set<std::string> columns;
-    TELETA_CHECK(readParts(folder, [&](RunRow&& row) {
-        if (row.run >= plan.runs())
-            return;
-        MergedRow& added = merged.rows.emplace_back();
-        for (const auto& [name, value] : row.measures) {
-            const auto [place, isNew] =
-                places.try_emplace(name, static_cast<std::uint32_t>(merged.names.size()));
-            if (isNew)
-                merged.names.push_back(name);
-            added.values.emplace_back(place->second, value);
-        }
-        row.measures.clear();
-        added.row = std::move(row);
-    }, &columns));
+    TELETA_CHECK(readParts(
+        folder,
+        [&](RunRow&& row) {
+            if (row.run >= plan.runs())
+                return;
+            MergedRow& added = merged.rows.emplace_back();
+            for (const auto& [name, value] : row.measures) {
+                const auto [place, isNew] =
+                    places.try_emplace(name, static_cast<std::uint32_t>(merged.names.size()));
+                if (isNew)
+                    merged.names.push_back(name);
+                added.values.emplace_back(place->second, value);
+            }
+            row.measures.clear();
+            added.row = std::move(row);
+        },
+        &columns));
     // A list that could not be determined in some runs has columns of its own in others.
     std::set<std::string> lists;
     for (const std::string& name : merged.names)
@@ -83,9 +86,10 @@ std::vector<std::uint32_t> orderOf(const SweepPlan& plan, const MergedRuns& merg
             order.push_back(place);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t place) {
         const std::string& name = merged.names[place];
-        return std::ranges::find_if(plan.measures, [&](const std::string& wanted) {
-                   return wanted == name || wanted == baseName(name);
-               }) - plan.measures.begin();
+        return std::ranges::find_if(
+                   plan.measures,
+                   [&](const std::string& wanted) { return wanted == name || wanted == baseName(name); }) -
+               plan.measures.begin();
     });
     return order;
 }
@@ -198,8 +202,8 @@ core::Expected<void> writeFrames(const MergedRuns& merged, const std::string& fo
     const QStringList found = dir.entryList({QStringLiteral("*.npz")}, QDir::Files);
     const std::set<QString> there(found.begin(), found.end());
     std::set<QString> named;
-    TELETA_TRY(core::CsvWriter csv,
-               core::CsvWriter::create(folder + "/frames.csv", std::array<std::string_view, 2>{"run", "file"}));
+    TELETA_TRY(core::CsvWriter csv, core::CsvWriter::create(folder + "/frames.csv",
+                                                            std::array<std::string_view, 2>{"run", "file"}));
     for (const MergedRow& row : merged.rows) {
         const QString file = QString::fromStdString(partName(row.row.part) + ".npz");
         // A run that failed has none, nor has one of a world without an array.

@@ -226,8 +226,8 @@ private:
         return row;
     }
 
-    /// Frames go first: a run that has a row has its frames. A file whose rows never came is of no run; merging
-    /// leaves it out.
+    /// Frames go first: a run that has a row has its frames. A file whose rows never came is of no run;
+    /// merging leaves it out.
     core::Expected<void> write(PartWriter& part, FrameParts& frames) {
         if (m_options.frames && frames.frames() > 0) {
             TELETA_TRY(const std::string number, part.number());

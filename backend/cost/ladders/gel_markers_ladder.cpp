@@ -70,7 +70,8 @@ vision::MarkerGelFile fileOf(const simulation::SimulatedGel& gel) {
 }
 
 /// Errors of the markers' ways in one picture.
-void addErrors(Trial& trial, const DragSeries& series, std::size_t picture, std::span<const Eigen::Vector2d> way_m) {
+void addErrors(Trial& trial, const DragSeries& series, std::size_t picture,
+               std::span<const Eigen::Vector2d> way_m) {
     for (std::size_t k = 0; k < way_m.size(); ++k)
         trial.error((way_m[k] - kScale_mPerPx * (series.places_px[picture][k] - series.rest_px[k])).norm());
 }
@@ -119,18 +120,18 @@ core::Expected<Rung> followedRung(std::string name, std::string parameter,
         before->push_back(gel);
         TELETA_CHECK(gel.track(series->moved[i], static_cast<double>(i)));
     }
-    return Rung{std::move(name), std::move(parameter), [=](Trial& trial) {
-                    const std::size_t picture = trial.index() % kPictures;
-                    vision::MarkerGel followed = (*before)[picture];
-                    trial.timed(1, [&] {
-                        static_cast<void>(
-                            followed.track(series->moved[picture], static_cast<double>(picture)));
-                    });
-                    Places way_m;
-                    for (const vision::GelMotion& motion : followed.motions())
-                        way_m.push_back(motion.found ? motion.displacement_m : Eigen::Vector2d::Zero().eval());
-                    addErrors(trial, *series, picture, way_m);
-                }};
+    return Rung{
+        std::move(name), std::move(parameter), [=](Trial& trial) {
+            const std::size_t picture = trial.index() % kPictures;
+            vision::MarkerGel followed = (*before)[picture];
+            trial.timed(1, [&] {
+                static_cast<void>(followed.track(series->moved[picture], static_cast<double>(picture)));
+            });
+            Places way_m;
+            for (const vision::GelMotion& motion : followed.motions())
+                way_m.push_back(motion.found ? motion.displacement_m : Eigen::Vector2d::Zero().eval());
+            addErrors(trial, *series, picture, way_m);
+        }};
 }
 
 } // namespace
@@ -139,9 +140,10 @@ Ladder gelMarkersLadder() {
     Ladder ladder;
     ladder.name = "gel-markers";
     ladder.title = LadderText::tr("Motion of the markers of a gel").toStdString();
-    ladder.truth = LadderText::tr("distance from the way that the marker was drawn to have gone; a marker that is "
-                                  "lost counts as at rest")
-                       .toStdString();
+    ladder.truth =
+        LadderText::tr("distance from the way that the marker was drawn to have gone; a marker that is "
+                       "lost counts as at rest")
+            .toStdString();
     ladder.errorUnit = "m";
     ladder.trials = kPictures;
     ladder.makeRungs = []() -> core::Expected<std::vector<Rung>> {

@@ -4,9 +4,9 @@
 namespace teleta::cost {
 
 std::vector<Ladder> allLadders() {
-    return {contactFlowLadder(),    cameraCalibrationLadder(), undistortionLadder(),   gelMarkersLadder(),
+    return {contactFlowLadder(),    cameraCalibrationLadder(), undistortionLadder(),    gelMarkersLadder(),
             contourLadder(),        stiffnessLadder(),         tactileFeaturesLadder(), skinContactsLadder(),
-            taxelGainsLadder(),     simulationStepLadder(),    sceneEffectsLadder(),   statisticsLadder(),
+            taxelGainsLadder(),     simulationStepLadder(),    sceneEffectsLadder(),    statisticsLadder(),
             psychometricFitLadder()};
 }
 

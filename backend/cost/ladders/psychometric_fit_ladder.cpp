@@ -95,7 +95,8 @@ double intervalScore(const LogInterval& interval, double truth) {
            kPenalty * (std::max(0.0, interval.low - truth) + std::max(0.0, truth - interval.high));
 }
 
-Rung fitRung(std::string name, std::string parameter, const std::shared_ptr<const std::vector<Observed>>& observers,
+Rung fitRung(std::string name, std::string parameter,
+             const std::shared_ptr<const std::vector<Observed>>& observers,
              std::function<LogInterval(const LikelihoodSearch&, const Observed&)> intervalOf) {
     return {std::move(name), std::move(parameter), [=, intervalOf = std::move(intervalOf)](Trial& trial) {
                 const Observed& one = (*observers)[trial.index() % observers->size()];
@@ -115,8 +116,9 @@ Ladder psychometricFitLadder() {
     ladder.name = "psychometric-fit";
     ladder.title = LadderText::tr("Interval of a threshold from a participant's answers").toStdString();
     ladder.truth =
-        LadderText::tr("score of the 95 % interval of the threshold's logarithm: its width, and 40 times how far the "
-                       "true one lies outside of it")
+        LadderText::tr(
+            "score of the 95 % interval of the threshold's logarithm: its width, and 40 times how far the "
+            "true one lies outside of it")
             .toStdString();
     ladder.errorUnit = "1";
     ladder.trials = kObservers;
@@ -137,25 +139,27 @@ Ladder psychometricFitLadder() {
                     }),
             fitRung("profile", "profile of the likelihood", observers,
                     [](const LikelihoodSearch& search, const Observed&) {
-                        return closed(search, study::profileInterval(search, SearchPoint::threshold, search.best()));
+                        return closed(search,
+                                      study::profileInterval(search, SearchPoint::threshold, search.best()));
                     })};
         for (const std::size_t resamples : {200U, 2000U}) {
             const std::string count = std::to_string(resamples);
             rungs.push_back(fitRung("bootstrap-" + count, count + " resamples", observers,
                                     [resamples](const LikelihoodSearch& search, const Observed& one) {
-                                        return resampledInterval(search, search.best(), one.counts, resamples);
+                                        return resampledInterval(search, search.best(), one.counts,
+                                                                 resamples);
                                     }));
         }
         constexpr std::size_t kCalls = 64;
         rungs.push_back(limitRung("likelihood of one function", kCalls, [observers](std::size_t index) {
             const Observed& one = (*observers)[index % observers->size()];
-            return std::accumulate(one.counts.begin(), one.counts.end(), 0.0,
-                                   [&](double sum, const study::LevelCount& count) {
-                                       const double share = one.truth.shareAt(count.level);
-                                       const auto right = static_cast<double>(count.correct);
-                                       const auto all = static_cast<double>(count.trials);
-                                       return sum + right * std::log(share) + (all - right) * std::log1p(-share);
-                                   });
+            return std::accumulate(
+                one.counts.begin(), one.counts.end(), 0.0, [&](double sum, const study::LevelCount& count) {
+                    const double share = one.truth.shareAt(count.level);
+                    const auto right = static_cast<double>(count.correct);
+                    const auto all = static_cast<double>(count.trials);
+                    return sum + right * std::log(share) + (all - right) * std::log1p(-share);
+                });
         }));
         return rungs;
     };

@@ -36,7 +36,7 @@ constexpr double kNoise_N = 0.05;
 
 /// The skin of a body in one frame.
 struct SkinFrame {
-    std::vector<float> raw;                  ///< patch by patch
+    std::vector<float> raw;                    ///< patch by patch
     std::vector<std::vector<Centre>> bodies_m; ///< middles of what presses, of each patch
 };
 
@@ -68,8 +68,9 @@ std::vector<SkinFrame> drawFrames() {
                 bodies_m = drawBodies(random, patch % kTwiceEach == 0 ? 2 : 1);
             std::vector<simulation::RigidIndenter> indenters;
             for (const Centre& body_m : bodies_m) {
-                indenters.emplace_back(bodies_m.size() > 1 ? scene::IndenterShape(scene::Sphere{0.05})
-                                                           : scene::IndenterShape(scene::Cylinder{0.03, 0.05}));
+                indenters.emplace_back(bodies_m.size() > 1
+                                           ? scene::IndenterShape(scene::Sphere{0.05})
+                                           : scene::IndenterShape(scene::Cylinder{0.03, 0.05}));
                 indenters.back().moveTo({body_m.x(), body_m.y(), 0.0015 + 0.001 * random.uniform(),
                                          std::numbers::pi * random.uniform()});
             }
@@ -91,7 +92,8 @@ double nearest_m(const Centre& place_m, const std::vector<Centre>& others_m) {
     return nearest;
 }
 
-Rung skinRung(std::string name, std::string parameter, const std::shared_ptr<const std::vector<SkinFrame>>& frames,
+Rung skinRung(std::string name, std::string parameter,
+              const std::shared_ptr<const std::vector<SkinFrame>>& frames,
               const contact::SegmentationSettings& settings, bool summits) {
     const auto segmenters = std::make_shared<std::vector<contact::ContactSegmenter>>(
         kPatches, contact::ContactSegmenter(kPatch, settings));
@@ -103,8 +105,8 @@ Rung skinRung(std::string name, std::string parameter, const std::shared_ptr<con
         std::vector<std::vector<Centre>> found_m(kPatches);
         trial.timed(1, [&] {
             for (std::size_t patch = 0; patch < kPatches; ++patch) {
-                conditioner.apply(std::span(frame.raw).subspan(patch * kPatch.taxels(), kPatch.taxels()), load_N,
-                                  dead);
+                conditioner.apply(std::span(frame.raw).subspan(patch * kPatch.taxels(), kPatch.taxels()),
+                                  load_N, dead);
                 contact::ContactSegmenter& segmenter = (*segmenters)[patch];
                 for (const contact::Contact& contact : segmenter.segment(load_N, dead)) {
                     const auto summit =
@@ -131,8 +133,9 @@ Ladder skinContactsLadder() {
     ladder.name = "skin-contacts";
     ladder.title = LadderText::tr("Contacts on the skin of a whole body").toStdString();
     ladder.truth =
-        LadderText::tr("distance of each body from the nearest contact of its patch, and of each contact from the "
-                       "nearest body; from the patch's middle where there is none")
+        LadderText::tr(
+            "distance of each body from the nearest contact of its patch, and of each contact from the "
+            "nearest body; from the patch's middle where there is none")
             .toStdString();
     ladder.errorUnit = "m";
     ladder.trials = 64;
@@ -146,9 +149,8 @@ Ladder skinContactsLadder() {
         contact::SegmentationSettings large = usual;
         large.minimumTaxels = 3;
         const auto rung = [&](const char* name, const char* parameter,
-                              const contact::SegmentationSettings& settings, bool summits) {
-            return skinRung(name, parameter, frames, settings, summits);
-        };
+                              const contact::SegmentationSettings& settings,
+                              bool summits) { return skinRung(name, parameter, frames, settings, summits); };
         return std::vector<Rung>{
             rung("connected", "taxels that touch are one contact", connected, false),
             rung("every-summit", "a contact at every summit", all, false),

@@ -141,14 +141,15 @@ Ladder statisticsLadder() {
             rungs.push_back(bootstrap("bootstrap-miller-", resamples, ", Miller's bias",
                                       study::correctedBootstrapTransfer));
         constexpr std::size_t kCalls = 256;
-        rungs.push_back(limitRung("each cell of the pooled matrix added up once", kCalls, [=](std::size_t index) {
-            const study::ConfusionMatrix& pooled = input->studies[index % input->studies.size()].pooled;
-            std::int64_t sum = 0;
-            for (std::size_t row = 0; row < pooled.patterns(); ++row)
-                for (std::size_t column = 0; column < pooled.columns(); ++column)
-                    sum += pooled.count(row, column);
-            return static_cast<double>(sum);
-        }));
+        rungs.push_back(
+            limitRung("each cell of the pooled matrix added up once", kCalls, [=](std::size_t index) {
+                const study::ConfusionMatrix& pooled = input->studies[index % input->studies.size()].pooled;
+                std::int64_t sum = 0;
+                for (std::size_t row = 0; row < pooled.patterns(); ++row)
+                    for (std::size_t column = 0; column < pooled.columns(); ++column)
+                        sum += pooled.count(row, column);
+                return static_cast<double>(sum);
+            }));
         return rungs;
     };
     return ladder;

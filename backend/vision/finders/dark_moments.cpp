@@ -91,8 +91,8 @@ public:
         : m_ground(ground) {}
 
     template <bool kHidden>
-    [[gnu::always_inline]] inline void addRow(const std::uint8_t* pixels, const std::uint8_t* hidden, int count,
-                                              const WindowRow& row, float dv) {
+    [[gnu::always_inline]] inline void addRow(const std::uint8_t* pixels, const std::uint8_t* hidden,
+                                              int count, const WindowRow& row, float dv) {
         Half sum{};
         const float lanes = kLanes * row.step_px;
         Block du{};

@@ -184,7 +184,8 @@ assert abs(numpy.median(a["frames"][~loaded])) < 0.2
 TEST_F(SweepCommand, writesFramesFromWhichTheHandbooksExampleLearns) {
     std::string example;
     for (const char* language : {"en", "fr", "ja", "zh_CN"}) {
-        std::istringstream page(readAll(std::string(TELETA_SOURCE_DIR "/resources/handbook/") + language + "/sweeps.md"));
+        std::istringstream page(
+            readAll(std::string(TELETA_SOURCE_DIR "/resources/handbook/") + language + "/sweeps.md"));
         std::string line, block;
         while (std::getline(page, line) && line != "    import csv")
             ;
@@ -202,7 +203,9 @@ TEST_F(SweepCommand, writesFramesFromWhichTheHandbooksExampleLearns) {
                                     "--out", m_folder.path("frames"), "--frames", "npz"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
     const std::string learn = m_folder.write("learn.py", example);
-    ASSERT_EQ(std::system(("cd " + m_folder.path("") + " && /usr/bin/python3 " + learn + " > learned.txt").c_str()), 0);
+    ASSERT_EQ(
+        std::system(("cd " + m_folder.path("") + " && /usr/bin/python3 " + learn + " > learned.txt").c_str()),
+        0);
     std::istringstream said(readAll(m_folder.path("learned.txt")));
     double centroid_mm = 0.0, learned_mm = 0.0;
     std::string name, unit;
@@ -224,9 +227,12 @@ TEST_F(SweepCommand, waitsForASchedulerThatDoesNotAnswerForAWhile) {
     program("sbatch", "echo \"$@\" >> " + m_folder.path("asked") + "\necho 7\n");
     program("squeue", "echo x >> " + m_folder.path("looks") + "\n[ $(wc -l < " + m_folder.path("looks") +
                           ") -gt 2 ] || { echo 'slurm_load_jobs error: busy' >&2; exit 1; }\n");
-    const std::vector<std::string> command{"sweep", m_folder.path("sweep.toml"), "--out", m_folder.path("out"),
-                                           "--slurm", "--wait", "--allow-failed", "0.25"};
-    const std::vector<std::pair<std::string, std::string>> path{{"PATH", m_folder.path("bin") + ":/usr/bin:/bin"}};
+    const std::vector<std::string> command{"sweep",          m_folder.path("sweep.toml"),
+                                           "--out",          m_folder.path("out"),
+                                           "--slurm",        "--wait",
+                                           "--allow-failed", "0.25"};
+    const std::vector<std::pair<std::string, std::string>> path{
+        {"PATH", m_folder.path("bin") + ":/usr/bin:/bin"}};
     const ProgramResult result = run(command, {.environment = path, .outPath = {}});
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_NE(result.err.find("busy; asking again (2 of 9)"), std::string::npos) << result.err;

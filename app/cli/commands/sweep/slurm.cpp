@@ -98,7 +98,8 @@ core::Expected<SubmittedJob> submitToSlurm(const SlurmJob& job) {
                       folder + QStringLiteral("/log/merge.txt")};
     for (const std::string& option : job.options)
         merge << QString::fromStdString(option);
-    merge << QStringLiteral("--wrap") << commandOf(job) + QStringLiteral(" --merge --allow-failed %1").arg(job.allowFailed);
+    merge << QStringLiteral("--wrap")
+          << commandOf(job) + QStringLiteral(" --merge --allow-failed %1").arg(job.allowFailed);
     TELETA_TRY(const QString merged, outputOf(QStringLiteral("sbatch"), merge));
     submitted.merge = jobId(merged);
     return submitted;

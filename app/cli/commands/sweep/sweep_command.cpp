@@ -62,10 +62,11 @@ public:
                   SweepText::tr("Folder for runs.csv, cells.csv, figures and sweep.json; a sweep that was "
                                 "interrupted goes on in it"),
                   "DIR");
-        addOption(app, "--workers", m_workers,
-                  SweepText::tr("Runs at the same time; otherwise as many as the machine has cores, and one of a "
-                                "ladder, which is timed"),
-                  between(1, 1024), "N");
+        addOption(
+            app, "--workers", m_workers,
+            SweepText::tr("Runs at the same time; otherwise as many as the machine has cores, and one of a "
+                          "ladder, which is timed"),
+            between(1, 1024), "N");
         addFlag(app, "--restart", m_restart,
                 SweepText::tr("Throw away what the folder has of an earlier sweep"));
         addOption(app, "--allow-failed", m_allowFailed,
@@ -240,9 +241,9 @@ private:
                     return core::Unexpected(tasks.error());
                 screen.erase();
                 warn(SweepText::tr("%1; asking again (%2 of %3)")
-                                 .arg(QString::fromStdString(describe(tasks.error())))
-                                 .arg(unanswered)
-                                 .arg(kMostUnanswered - 1));
+                         .arg(QString::fromStdString(describe(tasks.error())))
+                         .arg(unanswered)
+                         .arg(kMostUnanswered - 1));
                 std::this_thread::sleep_for(kBetweenLooks);
                 continue;
             }

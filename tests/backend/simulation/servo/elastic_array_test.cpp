@@ -73,7 +73,8 @@ TEST(ElasticArray, answersTheSameWhateverWasAskedBefore) {
                 EXPECT_EQ(contact.wrench_Sensor, expected.wrench_Sensor);
                 EXPECT_EQ(contact.tangent_Sensor, expected.tangent_Sensor);
             } else if (question == 1) {
-                EXPECT_EQ(used.readLoads(X, shape, load_N).force_N, fresh.readLoads(X, shape, freshLoad_N).force_N);
+                EXPECT_EQ(used.readLoads(X, shape, load_N).force_N,
+                          fresh.readLoads(X, shape, freshLoad_N).force_N);
                 EXPECT_EQ(load_N, freshLoad_N);
             } else if (question == 2) {
                 used.listPressed(X, shape, points);
