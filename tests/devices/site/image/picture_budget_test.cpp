@@ -113,8 +113,8 @@ TEST(PictureBudget, holdsForRealPictures) {
         cv::Mat picture(480, 640, CV_8UC3);
         random.fill(picture, cv::RNG::UNIFORM, 0, 256);
         cv::GaussianBlur(picture, picture, {9, 9}, 3.0);
-        const auto bytes =
-            toJpeg({{std::shared_ptr<void>(), picture.data}, picture.cols, picture.rows}, quality);
+        const auto bytes = toJpeg(
+            core::ColourImage{{std::shared_ptr<void>(), picture.data}, picture.cols, picture.rows}, quality);
         EXPECT_TRUE(bytes);
         return bytes ? bytes->size() : 0;
     };
