@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/arm_views.h"
 
+#include "app/console/operate/arm_servo_views.h"
 #include "app/console/operate/joint_dials.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/pipeline/touch/skin_kinematics.h"
@@ -44,7 +45,8 @@ ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Sc
     , m_sheet(new touch::RunSheet(parent))
     , m_contour(new touch::ContourView(parent))
     , m_picture(new bracelet::BraceletView(parent))
-    , m_feedback(new FeedbackPanel(bracelet, parent)) {
+    , m_feedback(new FeedbackPanel(bracelet, parent))
+    , m_servo(new ArmServoViews(stop, *m_joints, parent)) {
     connect(m_picture, &bracelet::BraceletView::held, &m_bracelet, &BraceletService::hold);
     connect(m_touches, &touch::TouchTable::touchActivated, this,
             [this](std::uint64_t touch) { m_joints->chart().showTouch(touch); });
@@ -83,8 +85,10 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
             m_arm, Kept{m_sheet->model().takeNotes(), std::exchange(m_shownTouches, {}), m_begun_ns});
     }
     clear();
+    m_servo->setArm(nullptr);
     m_joints->setArm(arm, provenance);
     m_arm = std::dynamic_pointer_cast<pipeline::ArmChannel>(arm);
+    m_servo->setArm(m_arm);
     m_joints->setTouching(m_arm ? std::optional(m_arm->settings().touch.window) : std::nullopt);
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm)
@@ -160,6 +164,7 @@ void ArmViews::tick() {
         if (m_arm->update())
             show(m_arm->snapshot());
     }
+    m_servo->tick();
     m_joints->refresh();
 }
 

@@ -36,6 +36,8 @@ class Scene3dView;
 
 namespace teleta::console {
 
+class ArmServoViews;
+
 /// The views of a remote arm on the Operate page: its joints (JointViews), and of one with a tactile skin
 /// stiffness, touches, the bracelet and what it is told, and the explored contour in the reconstruction.
 /// Thread: GUI.
@@ -69,6 +71,7 @@ public:
     void retranslate();
     /// Starts a new object with the next touch.
     void forgetContour();
+    [[nodiscard]] ArmServoViews& servo() { return *m_servo; }
     [[nodiscard]] FeedbackPanel& feedbackPanel() { return *m_feedback; }
 
 signals:
@@ -120,6 +123,7 @@ private:
     std::int64_t m_begun_ns = 0; ///< as in the snapshot that is shown
     bool m_wasSilent = false;
     bool m_drawsForce = false; ///< of a touch; a force sensor's is drawn by JointViews
+    ArmServoViews* m_servo;
 };
 
 } // namespace teleta::console

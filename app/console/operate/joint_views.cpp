@@ -12,6 +12,8 @@
 #include "widgets/view3d/robot/robot_shape.h"
 #include "widgets/view3d/scene3d_view.h"
 
+#include <QVBoxLayout>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -58,7 +60,17 @@ JointViews::JointViews(core::StopSwitch& stop, view3d::Scene3dView& scene, QWidg
 
 void JointViews::addTo(OperateDocks& docks) {
     docks.add(OperateDocks::joints, m_chart);
-    docks.addScrolling(OperateDocks::jog, m_jog);
+    if (m_belowJog == nullptr) {
+        docks.addScrolling(OperateDocks::jog, m_jog);
+        return;
+    }
+    auto* both = new QWidget;
+    auto* layout = new QVBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_jog, 1);
+    layout->addWidget(m_belowJog);
+    docks.addScrolling(OperateDocks::jog, both);
 }
 
 void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Provenance provenance) {
@@ -132,6 +144,7 @@ void JointViews::clear() {
     m_dials.reset();
     m_hasRobot = false;
     m_shown.reset();
+    m_shadow_rad = {};
     m_present = 0;
     m_wrench_ns = 0;
     m_unknownJoints = 0;
@@ -153,10 +166,24 @@ void JointViews::post(const core::JointVector& rate_radPerS) {
         return;
     const bool asks = m_jog->isMoving();
     const std::int64_t now_ns = core::steadyNow_ns();
-    if (asks && !m_asked)
+    if (asks && !m_asked) {
+        emit movesByHand();
         m_arm->device().post({core::JointVector::zeros(rate_radPerS.size()), now_ns});
+    }
     m_asked = asks;
     m_arm->device().post({rate_radPerS, now_ns});
+}
+
+void JointViews::letGo() {
+    m_jog->letGo();
+}
+
+void JointViews::setShadow(const core::JointVector& shadow_rad) {
+    if (m_shadow_rad == shadow_rad)
+        return;
+    m_shadow_rad = shadow_rad;
+    if (m_hasRobot && m_shown)
+        showRobot(*m_shown);
 }
 
 void JointViews::tick() {
@@ -303,11 +330,12 @@ void JointViews::showChain(const core::JointSample& sample) {
         showRobot(sample);
 }
 
-/// Where the arm was told to be stands beside it as a ghost, as long as both can be told apart.
+/// Where the arm was told to be, or its shadow, stands beside it as a ghost, as long as both can be told
+/// apart.
 void JointViews::showRobot(const core::JointSample& sample) {
     const arm_model::SerialChain& chain = *m_arm->chain();
-    const core::JointVector& commanded = sample.reference_rad;
-    bool apart = false;
+    const core::JointVector& commanded = m_shadow_rad.empty() ? sample.reference_rad : m_shadow_rad;
+    bool apart = !m_shadow_rad.empty() && m_shadow_rad.size() == chain.joints();
     for (std::size_t i = 0; commanded.size() == chain.joints() && i < commanded.size(); ++i)
         apart = apart || std::abs(commanded[i] - sample.angle_rad[i]) > kGhost_rad;
     m_scene.setRobotPoses(chain.linkPoses(sample.angle_rad),

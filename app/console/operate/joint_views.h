@@ -39,6 +39,8 @@ class JointViews : public QObject {
 public:
     JointViews(core::StopSwitch& stop, view3d::Scene3dView& scene, QWidget* parent);
 
+    /// Something else that moves the arm, below jogging; before addTo().
+    void putBelowJog(QWidget* panel) { m_belowJog = panel; }
     void addTo(OperateDocks& docks);
     /// Shows another arm; null: none. The previous one is no longer moved. What the chart has of it is shown
     /// again when it comes back.
@@ -46,6 +48,11 @@ public:
     [[nodiscard]] const std::shared_ptr<pipeline::JointChannel>& arm() const { return m_arm; }
     /// Motion of a 3D mouse, and a line about its state.
     void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
+    /// The arm is no longer moved by hand; what is held counts again once it was let go.
+    void letGo();
+    /// Where a shadow of the arm is, which is drawn in place of the ghost at the commanded position; empty:
+    /// there is none.
+    void setShadow(const core::JointVector& shadow_rad);
     /// Takes what came since the last tick; refresh() shows it.
     void tick();
     void refresh() { m_chart->refresh(); }
@@ -69,6 +76,8 @@ public:
 
 signals:
     void exportFailed(const QString& message);
+    /// Somebody begins to jog the arm.
+    void movesByHand();
     /// The arm's meshes cannot be shown; a sentence.
     void meshesFailed(const QString& message);
     /// The arm tells joints that its description does not have; a sentence.
@@ -110,6 +119,8 @@ private:
     std::int64_t m_sample_ns = 0;     ///< of the newest reading that was seen; 0: none
     std::int64_t m_sampleCame_ns = 0; ///< when it was seen first
     std::optional<double> m_latency_s;
+    QWidget* m_belowJog = nullptr;  ///< see putBelowJog()
+    core::JointVector m_shadow_rad; ///< see setShadow()
 };
 
 } // namespace teleta::console

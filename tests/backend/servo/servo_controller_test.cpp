@@ -225,7 +225,7 @@ TEST(ServoController, jointsAtTheirLimitsAndSingularArmsAreReported) {
     EXPECT_FALSE(stepAt(q_rad, slide).limits.any());
 
     LwrVector end_rad = q_rad;
-    end_rad[6] = guard.inverse.limits.highest_rad[6];
+    end_rad[6] = LwrLimits::highest()[6];
     ServoTask turn = edgeControlTask(5.0);
     turn.feedForward.constant_Sensor[kWz] = 0.3;
     EXPECT_TRUE(stepAt(end_rad, turn).limits.has(Limit::jointEnd));
