@@ -55,8 +55,11 @@ ArmServoPanel::ArmServoPanel(QWidget* parent)
     m_ending->setObjectName(QStringLiteral("armServoEnding"));
     for (QLabel* label : {m_stage, m_what, m_ending})
         label->setWordWrap(true);
-    m_form->addRow(QString(), m_task);
-    m_form->addRow(QString(), m_force);
+    for (QWidget* field : {static_cast<QWidget*>(m_task), static_cast<QWidget*>(m_force)}) {
+        auto* name = new QLabel(this);
+        name->setBuddy(field);
+        m_form->addRow(name, field);
+    }
     auto* layout = new QVBoxLayout(this);
     const int margin = base::grid(this);
     layout->setContentsMargins(margin, margin / 2, margin, margin / 2);
