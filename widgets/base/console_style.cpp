@@ -6,6 +6,7 @@
 #include "widgets/base/theme.h"
 
 #include <QAbstractItemView>
+#include <QMainWindow>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QTabBar>
@@ -444,6 +445,13 @@ int ConsoleStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
             std::lround(kScrollExtent * (option != nullptr   ? gridOf(option)
                                          : widget != nullptr ? static_cast<double>(grid(widget))
                                                              : 8.0)));
+    case PM_TabBarTabHSpace: {
+        // The names of many docks have to share the width of one.
+        const int space = QProxyStyle::pixelMetric(metric, option, widget);
+        const bool ofDocks =
+            widget != nullptr && qobject_cast<const QMainWindow*>(widget->parentWidget()) != nullptr;
+        return ofDocks ? space * 2 / 3 : space;
+    }
     case PM_TabBarBaseOverlap:
     case PM_TabBarTabShiftVertical:
     case PM_ButtonShiftHorizontal:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/test_registry.h"
+#include "widgets/base/theme.h"
 #include "widgets/study/planning/plan_content.h"
 #include "widgets/study/planning/plan_panel.h"
 #include "widgets/study/results/curve_view.h"
@@ -7,6 +8,8 @@
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QEvent>
+#include <QFontMetrics>
+#include <QImage>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -91,6 +94,37 @@ private slots:
         QVERIFY(!curve->content().series.empty());
         panel.setProtocol(levels());
         QVERIFY(curve->content().series.empty());
+    }
+
+    void theFieldsStandBelowEachOtherAndTheTitleIsWhole() {
+        PlanPanel panel;
+        panel.resize(940, 600); // of a window of 1024 x 700
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto leftOf = [&](const char* name) {
+            auto* field = panel.findChild<QWidget*>(QLatin1String(name));
+            return field->mapTo(&panel, QPoint()).x();
+        };
+        panel.setProtocol(protocol());
+        QCoreApplication::processEvents();
+        QTRY_COMPARE(leftOf("planShare0"), leftOf("planParticipantSd"));
+        QTRY_COMPARE(leftOf("planShare1"), leftOf("planFrom"));
+        panel.setProtocol(levels());
+        QTRY_COMPARE(leftOf("planThreshold"), leftOf("planFrom"));
+        // A title that is too long for one line reaches neither edge of the picture.
+        panel.setProtocol(protocol());
+        auto* curve = panel.findChild<study::CurveView*>("planCurve");
+        study::CurveContent content = PlanContent::curve(
+            planOf(8), *panel.request(),
+            QStringLiteral("The shape of what was touched by the arm: conditions by patterns"));
+        curve->setContent(content);
+        const QImage picture = curve->grab().toImage();
+        QVERIFY(QFontMetrics(base::bold(curve->font())).horizontalAdvance(content.title) > curve->width());
+        const QColor paper = curve->palette().color(QPalette::Base);
+        const int em = curve->fontMetrics().height();
+        for (int y = em / 2; y < 3 * em; ++y)
+            for (const int x : {2, picture.width() - 3})
+                QCOMPARE(picture.pixelColor(x, y), paper);
     }
 
     void theRequestIsWhatTheFormSays() {

@@ -63,6 +63,13 @@ PlanPanel::PlanPanel(QWidget* parent)
     auto* sources = new QHBoxLayout;
     base::addWidgets(sources, {m_file, m_pilot, m_own});
     sources->addStretch(1);
+    // Closer than the two halves of the page, whose distance they would take.
+    for (QFormLayout* form : {m_form, m_shares}) {
+        form->setHorizontalSpacing(base::grid(this, 2));
+        form->setVerticalSpacing(base::grid(this));
+    }
+    range->setSpacing(base::grid(this));
+    sources->setSpacing(base::grid(this));
     m_form->addRow(m_testLabel, m_test);
     m_form->addRow(m_shares);
     m_form->addRow(m_threshold);
@@ -80,9 +87,11 @@ PlanPanel::PlanPanel(QWidget* parent)
     m_answer->setFont(base::bold(m_answer->font()));
     m_start->setDefault(true);
     auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(base::grid(this));
     base::addWidgets(buttons, {m_start, m_cancel});
     buttons->addWidget(m_progress, 1);
     auto* left = new QVBoxLayout;
+    left->setSpacing(base::grid(this, 2));
     left->addLayout(m_form);
     left->addLayout(buttons);
     left->addWidget(m_answer);
@@ -212,8 +221,26 @@ void PlanPanel::showConditions() {
         m_studies->setCurrentIndex(m_studies->findData(isOfThreshold() ? kThresholdStudies : kTestStudies));
     m_targetLabel->setText(isOfThreshold() ? tr("Targ&et") : tr("Target po&wer"));
     showSource();
+    alignFields();
     if (!m_isPlanned)
         showNoPlan();
+}
+
+/// The fields of the forms in a row below each other, whatever their labels are.
+void PlanPanel::alignFields() {
+    QList<QLabel*> labels;
+    for (const QFormLayout* form : findChildren<QFormLayout*>())
+        for (int row = 0; row < form->rowCount(); ++row) {
+            const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
+            if (auto* label = item != nullptr ? qobject_cast<QLabel*>(item->widget()) : nullptr)
+                labels << label;
+        }
+    int widest = 0;
+    for (const QLabel* label : labels)
+        if (!label->isHidden())
+            widest = std::max(widest, label->sizeHint().width());
+    for (QLabel* label : labels)
+        label->setMinimumWidth(widest);
 }
 
 void PlanPanel::showSource() {

@@ -52,6 +52,7 @@ signals:
 private:
     void retranslate();
     void showConditions();
+    void alignFields();
     void showSource();
     void showNoPlan();
     [[nodiscard]] const StudyTask* task() const;

@@ -2,6 +2,7 @@
 #include "widgets/study/planning/threshold_form.h"
 
 #include "widgets/base/on_change.h"
+#include "widgets/base/theme.h"
 #include "widgets/study/study_names.h"
 
 #include <initializer_list>
@@ -47,6 +48,8 @@ ThresholdForm::ThresholdForm(QWidget* parent)
         label->setBuddy(field);
         m_form->addRow(label, field);
     }
+    m_form->setHorizontalSpacing(base::grid(this, 2));
+    m_form->setVerticalSpacing(base::grid(this));
     base::keepTranslated(this, &ThresholdForm::retranslate);
 }
 
