@@ -157,6 +157,9 @@ void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette) {
 
 double RoundTicker::getTickStep(const QCPRange& range) {
     m_step = m_fixedStep > 0.0 ? m_fixedStep : base::niceStep(range.size() / std::max(1, tickCount()));
+    // Where a fixed step would give more labels than there is room for, every second one, or fewer.
+    while (range.size() > (tickCount() + 1.5) * m_step)
+        m_step *= 2.0;
     return m_step;
 }
 

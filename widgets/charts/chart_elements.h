@@ -134,7 +134,8 @@ void styleAxes(QCPAxisRect* rect, const QFont& font, const QPalette& palette);
 /// Ticks at round numbers, with a true minus sign and without rounding noise around zero.
 class RoundTicker : public QCPAxisTicker {
 public:
-    /// fixedStep: distance of the ticks; 0: a round one for about tickCount() ticks. suffix: of each label.
+    /// fixedStep: distance of the ticks, doubled where there is no room for so many; 0: a round one for about
+    /// tickCount() ticks. suffix: of each label.
     explicit RoundTicker(double fixedStep = 0.0, const QString& suffix = {})
         : m_fixedStep(fixedStep)
         , m_suffix(suffix) {}

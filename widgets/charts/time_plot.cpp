@@ -18,6 +18,7 @@ namespace {
 constexpr double kHeaderHeight_em = 1.5;
 constexpr double kAxisHeight_em = 1.7;
 constexpr double kAxisPadding = 0.05; ///< of the axis' span, so that a curve at its end keeps its full width
+constexpr int kMostTicks = 4;
 constexpr auto kOverlay = "teleta.overlay";
 
 /// colour: as in CurveStyle.
@@ -70,7 +71,7 @@ void TimePlot::addLane(LaneId id, const std::vector<CurveStyle>& curves, double 
     bottom->setTicker(QSharedPointer<RoundTicker>::create(0.0, tr(" s")));
     bottom->ticker()->setTickCount(8);
     left->setTicker(QSharedPointer<RoundTicker>::create(tickStep));
-    left->ticker()->setTickCount(4);
+    left->ticker()->setTickCount(kMostTicks);
     left->grid()->setZeroLinePen(Qt::NoPen);
     bottom->grid()->setZeroLinePen(Qt::NoPen);
     for (const CurveStyle& style : curves) {
@@ -210,7 +211,12 @@ void TimePlot::fillLane(Lane& lane, const SampleHistory& history, double end_s, 
     const ValueRange shown = fixed ? *fixed : automaticRange(lane, extent, history, end_s);
     const double padding = kAxisPadding * (shown.high - shown.low);
     const ValueRange axis{shown.low - padding, shown.high + padding};
-    lane.rect->axis(QCPAxis::atLeft)->setRange(axis.low, axis.high);
+    QCPAxis* left = lane.rect->axis(QCPAxis::atLeft);
+    left->setRange(axis.low, axis.high);
+    // As many labels as a low lane has room for.
+    constexpr double kPerLabel_em = 1.1;
+    left->ticker()->setTickCount(
+        std::clamp(static_cast<int>(lane.rect->height() / (kPerLabel_em * em())), 2, kMostTicks));
     lane.rect->axis(QCPAxis::atBottom)->setRange(-m_span_s, 0.0);
     QVector<QCPGraphData> points;
     for (std::size_t i = 0; i < lane.curves.size(); ++i) {
