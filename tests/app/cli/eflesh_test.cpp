@@ -124,7 +124,7 @@ TEST_F(Eflesh, theLoadIsWhatTheFieldFallsBelowItsMedian) {
     for (std::size_t i = 0; i < m_sensor.size(); ++i) {
         double load = 0.0;
         for (std::size_t chip = 0; chip < kChips; ++chip)
-            load += std::max(0.0F, rest[chip] - std::stof(m_sensor[i][3 + 3 * chip]));
+            load += static_cast<double>(std::max(0.0F, rest[chip] - std::stof(m_sensor[i][3 + 3 * chip])));
         ASSERT_NEAR(std::stod(rows[i + 1][2]), load, 0.02) << "row " << i;
     }
 }
