@@ -19,10 +19,10 @@ constexpr double kTolerance = 1e-8; // loads are single precision
 
 /// Two taxels 10 mm apart along x, with three values each.
 constexpr const char* kTwoTaxels = "[layout]\ncomponents = 3\nrows = 1\ncolumns = 2\npitch_x_mm = 10\n";
-/// 2 N on the left one and 1 N on the right one; pulled by 0.3 N to the right and by 0.4 N upwards. The first
+/// 2 N on the left one and 1 N on the right one; pulled by 0.375 N to the right and by 0.5 N upwards. The first
 /// frame is empty.
 constexpr const char* kPulled = "time_s,t0_x,t0_y,t0_z,t1_x,t1_y,t1_z\n"
-                                "0,0,0,0,0,0,0\n0.5,0.3,0,-2,0,0.4,-1\n";
+                                "0,0,0,0,0,0,0\n0.5,0.375,0,-2,0,0.5,-1\n";
 
 class AnyArray : public testing::Test {
 protected:
@@ -51,11 +51,11 @@ protected:
                              const std::string& momentUnit) {
         ASSERT_TRUE(row.contains("shear_x_" + unit));
         EXPECT_NEAR(std::stod(row.at("force_" + unit)), 3.0, kTolerance);
-        EXPECT_NEAR(std::stod(row.at("shear_x_" + unit)), 0.3, kTolerance);
-        EXPECT_NEAR(std::stod(row.at("shear_y_" + unit)), 0.4, kTolerance);
-        // The centre of pressure is at x = (2 (-5) + 1 (5)) / 3 mm; 0.4 N act 5 + 5/3 mm right of it.
-        EXPECT_NEAR(std::stod(row.at("moment_z_" + momentUnit)), 0.4 * (0.005 + 0.005 / 3.0), 1e-9);
-        EXPECT_NEAR(std::stod(row.at("friction_ratio")), 0.5 / 3.0, kTolerance);
+        EXPECT_NEAR(std::stod(row.at("shear_x_" + unit)), 0.375, kTolerance);
+        EXPECT_NEAR(std::stod(row.at("shear_y_" + unit)), 0.5, kTolerance);
+        // The centre of pressure is at x = (2 (-5) + 1 (5)) / 3 mm; 0.5 N act 5 + 5/3 mm right of it.
+        EXPECT_NEAR(std::stod(row.at("moment_z_" + momentUnit)), 0.5 * (0.005 + 0.005 / 3.0), 1e-9);
+        EXPECT_NEAR(std::stod(row.at("friction_ratio")), 0.625 / 3.0, kTolerance);
     }
 
     TemporaryFolder m_folder;
@@ -126,7 +126,7 @@ TEST_F(AnyArray, aFieldIsNeverShownInNewtons) {
 
 TEST_F(AnyArray, aDeviceFileTurnsTheAxesOfAnotherProgramsTable) {
     // The sensor comes first with what presses, then against y, then along x; and from the right.
-    const std::string frames = file("foreign.csv", "t,a,b,c,d,e,f\n0,0,0,0,0,0,0\n500,1,-0.4,0,2,0,0.3\n");
+    const std::string frames = file("foreign.csv", "t,a,b,c,d,e,f\n0,0,0,0,0,0,0\n500,1,-0.5,0,2,0,0.375\n");
     const std::string layout =
         file("layout.toml", std::string(kTwoTaxels) + "unit = \"N\"\naxes = [\"-z\", \"-y\", \"+x\"]\n"
                                                       "places = [1, 0]\n");
@@ -155,7 +155,7 @@ TEST_F(AnyArray, placesOffAGridAreThoseOfTheLayout) {
 
 TEST_F(AnyArray, aTareIsTakenOfAllComponents) {
     const std::string frames = file("pulled.csv", "time_s,t0_x,t0_y,t0_z,t1_x,t1_y,t1_z\n"
-                                                  "0,5,6,7,8,9,10\n1,5,6,7,8,9,10\n2,5.3,6,5,8,9.4,9\n");
+                                                  "0,5,6,7,8,9,10\n1,5,6,7,8,9,10\n2,5.375,6,5,8,9.5,9\n");
     const std::string layout = file("layout.toml", std::string(kTwoTaxels) + "unit = \"N\"\n");
     expectPulled(lastRow({"features", frames, "--layout", layout, "--tare", "median"}), "n", "nm");
     EXPECT_NE(refusal({"features", frames, "--layout", layout, "--tare", "untouched"}, 2).find("untouched"),
