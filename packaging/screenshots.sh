@@ -25,7 +25,7 @@ data="$root/tests/data/popu"
 recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus_empty1.csv" --rows 64 --columns 27
     --threshold 20 --after 5)
 ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
-plotted=(--plot SOURCE)
+plotted=(--plot tactile-indenter/features/force_n --plot tactile-indenter/features/cop_x_m --plot tactile-indenter/features/cop_y_m)
 touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
 touches=(--scene "$root/resources/scenes/teleta-touch.toml" --after 34)
 camera=(--scene "$root/resources/scenes/vtacarm-multicontact.toml" --after 4)
@@ -66,7 +66,7 @@ if [[ ${1:-} == --handbook ]]; then
     take page-patterns --page patterns --after 6 --theme light
     take page-study "${session[@]}" --theme light
     take page-calibrate --page calibrate --after 5 --theme light
-    take page-plot "${ball[@]}" --page plot "${plotted[@]}" --theme light
+    take page-plot "${bar[@]}" --page plot "${plotted[@]}" --theme light
     # Measured on this machine.
     "$root/build/run/app/cli/teleta" tradeoff contact-flow stiffness --out "$studies/data/cost"
     take page-cost --page cost --data "$studies/data" --after 5 --theme light

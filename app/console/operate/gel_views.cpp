@@ -5,7 +5,7 @@
 #include "widgets/camera/gel/gel_event_table.h"
 #include "widgets/camera/gel/gel_panel.h"
 #include "widgets/camera/gel/gel_view.h"
-#include "widgets/view3d/scene/gel_part.h"
+#include "widgets/view3d/scene/gel_words.h"
 #include "widgets/view3d/scene3d_view.h"
 
 #include <utility>

@@ -19,8 +19,8 @@ constexpr double kTolerance = 1e-8; // loads are single precision
 
 /// Two taxels 10 mm apart along x, with three values each.
 constexpr const char* kTwoTaxels = "[layout]\ncomponents = 3\nrows = 1\ncolumns = 2\npitch_x_mm = 10\n";
-/// 2 N on the left one and 1 N on the right one; pulled by 0.375 N to the right and by 0.5 N upwards. The first
-/// frame is empty.
+/// 2 N on the left one and 1 N on the right one; pulled by 0.375 N to the right and by 0.5 N upwards. The
+/// first frame is empty.
 constexpr const char* kPulled = "time_s,t0_x,t0_y,t0_z,t1_x,t1_y,t1_z\n"
                                 "0,0,0,0,0,0,0\n0.5,0.375,0,-2,0,0.5,-1\n";
 

@@ -139,10 +139,10 @@ TEST(Seam, partsOnBothSidesAreOneContact) {
     EXPECT_FALSE(frame.features.cocX_m || frame.features.cocY_m || frame.features.alphaZ_rad);
     const auto strongest = strongestContact(frame, kAround_m);
     EXPECT_NEAR(strongest.y_m, frame.features.copY_m.value(), 1e-12);
-    // The other way round, the centre lies beyond the upper edge: at the lower one.
-    auto heavyBelow = frameOf({partAt(1, 0.0, -11.5 * kPitch_m, 3.0), partAt(2, 0.0, 10.5 * kPitch_m, 1.0)});
-    joinAtSeam(heavyBelow, kAround_m);
-    EXPECT_NEAR(heavyBelow.features.copY_m.value(), (-11.5 - 0.25 * 2.0) * kPitch_m, 1e-12);
+    // 12.3 pitches from the middle lie beyond the upper edge: near the lower one.
+    auto beyond = frameOf({partAt(1, 0.0, 11.5 * kPitch_m, 3.0), partAt(2, 0.0, -10.5 * kPitch_m, 2.0)});
+    joinAtSeam(beyond, kAround_m);
+    EXPECT_NEAR(beyond.features.copY_m.value(), (12.3 - 24.0) * kPitch_m, 1e-12);
 }
 
 TEST(Seam, whatDoesNotMeetStaysApart) {

@@ -4,6 +4,7 @@
 #include "backend/pipeline/gel_snapshot.h"
 #include "widgets/base/numbers/calm_range.h"
 #include "widgets/view3d/mesh/mesh_actor.h"
+#include "widgets/view3d/scene/gel_words.h"
 #include "widgets/view3d/scene/scene_colours.h"
 
 #include <QColor>
@@ -20,13 +21,6 @@
 #include <vector>
 
 namespace teleta::view3d {
-
-/// How the picture of a gel tells a contact, so that both views say the same.
-struct GelWords {
-    QString slip;                     ///< "slip 0.42"
-    QString all;                      ///< several lines
-    std::array<QColor, 2> slipColour; ///< on light, on dark
-};
 
 /// A drawn contact on a gel, in the gel's frame.
 struct GelMark {
