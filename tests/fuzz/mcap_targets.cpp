@@ -66,11 +66,11 @@ bool mcapFile(Bytes bytes) {
 /// The first byte chooses what the message is read as, the second how many columns it has.
 bool mcapMessage(Bytes bytes) {
     constexpr std::array kRoles{
-        mcap::TopicRole::arrayImage,    mcap::TopicRole::cameraImage,  mcap::TopicRole::arrayPicture,
-        mcap::TopicRole::cameraPicture, mcap::TopicRole::tactileArray, mcap::TopicRole::multiArray,
-        mcap::TopicRole::joints,        mcap::TopicRole::wrench,       mcap::TopicRole::features,
-        mcap::TopicRole::touch,         mcap::TopicRole::contacts,     mcap::TopicRole::tactors,
-        mcap::TopicRole::event,         mcap::TopicRole::colourPicture};
+        mcap::TopicRole::arrayImage,    mcap::TopicRole::cameraImage,   mcap::TopicRole::arrayPicture,
+        mcap::TopicRole::cameraPicture, mcap::TopicRole::tactileArray,  mcap::TopicRole::multiArray,
+        mcap::TopicRole::joints,        mcap::TopicRole::wrench,        mcap::TopicRole::features,
+        mcap::TopicRole::touch,         mcap::TopicRole::contacts,      mcap::TopicRole::tactors,
+        mcap::TopicRole::event,         mcap::TopicRole::colourPicture, mcap::TopicRole::colourImage};
     if (bytes.size() < 2)
         return false;
     const mcap::TopicRole role = kRoles[bytes[0] % kRoles.size()];
@@ -80,7 +80,8 @@ bool mcapMessage(Bytes bytes) {
     const bool isGood = mcap::decodeMessage(role, message, bytes[1], decoded);
     if (isGood)
         require(isSound(decoded, role), "a message has the values of its shape");
-    (void)mcap::imageRoleOf(message);
+    (void)mcap::imageRoleOf(mcap::TopicRole::arrayImage, message);
+    (void)mcap::imageRoleOf(mcap::TopicRole::cameraPicture, message);
     return isGood;
 }
 
