@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace teleta::vision {
@@ -83,74 +82,6 @@ private:
     cv::v_float32x4 m_darkest = cv::v_setzero_f32();
 };
 
-#ifdef __x86_64__
-/// The same sums, bit by bit: a block is computed at once, and its halves are added one after the other.
-class WideLaneSums {
-public:
-    explicit WideLaneSums(float ground)
-        : m_ground(ground) {}
-
-    template <bool kHidden>
-    [[gnu::always_inline]] inline void addRow(const std::uint8_t* pixels, const std::uint8_t* hidden,
-                                              int count, const WindowRow& row, float dv) {
-        Half sum{};
-        const float lanes = kLanes * row.step_px;
-        Block du{};
-        for (int lane = 0; lane < kLanes; ++lane) {
-            du[lane] = row.first_px + row.step_px * static_cast<float>(lane);
-            du[kLanes + lane] = du[lane] + lanes;
-        }
-        for (int i = 0; i < count; i += kBlock) {
-            Levels levels;
-            std::memcpy(&levels, pixels + i, sizeof(levels));
-            if constexpr (kHidden) {
-                Levels covered;
-                std::memcpy(&covered, hidden + i, sizeof(covered));
-                levels |= covered;
-            }
-            const Block inside = row.level - du * (row.a * du + row.slope);
-            const Block below = m_ground - __builtin_convertvector(levels, Block);
-            const Block zero{};
-            const Block dark = (below > zero) & (inside > zero) ? below : zero;
-            const Block weight = inside * inside * dark;
-            const Block moment = weight * du;
-            m_darkest = dark > m_darkest ? dark : m_darkest;
-            sum = (sum + lower(weight)) + upper(weight);
-            m_sumU = (m_sumU + lower(moment)) + upper(moment);
-            du = (du + lanes) + lanes;
-        }
-        m_sum = m_sum + sum;
-        m_sumV = m_sumV + sum * dv;
-    }
-
-    [[nodiscard, gnu::always_inline]] inline DarkMoments moments() const {
-        float darkest = 0.0F;
-        for (int lane = 0; lane < kBlock; ++lane)
-            darkest = std::max(darkest, m_darkest[lane]);
-        return {.sum = inLanes(m_sum), .sum_px = {inLanes(m_sumU), inLanes(m_sumV)}, .darkest = darkest};
-    }
-
-private:
-    using Half [[gnu::vector_size(4 * kLanes)]] = float;
-    using Block [[gnu::vector_size(4 * kBlock)]] = float;
-    using Levels [[gnu::vector_size(kBlock)]] = std::uint8_t;
-
-    [[gnu::always_inline]] static inline Half lower(const Block& block) {
-        return __builtin_shufflevector(block, block, 0, 1, 2, 3);
-    }
-    [[gnu::always_inline]] static inline Half upper(const Block& block) {
-        return __builtin_shufflevector(block, block, 4, 5, 6, 7);
-    }
-    [[gnu::always_inline]] static inline float inLanes(const Half& sums) {
-        return cv::v_reduce_sum(cv::v_float32x4(sums[0], sums[1], sums[2], sums[3]));
-    }
-
-    float m_ground;
-    Half m_sum{}, m_sumU{}, m_sumV{};
-    Block m_darkest{};
-};
-#endif
-
 /// The smallest multiple of a stride that is not less than a number of at least 0.
 int onLattice(int number, int stride) {
     return stride == 1 ? number : (number + stride - 1) / stride * stride;
@@ -161,66 +92,6 @@ int nearestPixel(double place_px) {
     constexpr double kFarthest_px = 1e6;
     return static_cast<int>(std::floor(std::clamp(place_px, -kFarthest_px, kFarthest_px) + 0.5));
 }
-
-template <typename Sums>
-[[gnu::always_inline]] inline DarkMoments momentsIn(const cv::Mat1b& frame, const cv::Mat1b& hidden,
-                                                    const DotWindow& window, const Eigen::Vector2d& centre_px,
-                                                    float ground) {
-    const int middleU = nearestPixel(centre_px.x());
-    const int middleV = nearestPixel(centre_px.y());
-    const auto centreU = static_cast<float>(centre_px.x());
-    const auto centreV = static_cast<float>(centre_px.y());
-    const int stride = window.stride();
-    constexpr int kMost = 16 * kBlock;
-    std::array<std::uint8_t, kMost> gathered{};
-    Sums sums(std::min(ground, static_cast<float>(kWhite)));
-    const int lastRow = std::min(frame.rows - 1, middleV + window.halfHeight_px());
-    for (int v = onLattice(std::max(0, middleV - window.halfHeight_px()), stride); v <= lastRow;
-         v += stride) {
-        const DotWindow::Reach& reach = window.reach(v - middleV);
-        const float dv = static_cast<float>(v) - centreV;
-        const int u0 = onLattice(std::max(0, middleU + reach.first_px), stride);
-        const int u1 = std::min(frame.cols, middleU + reach.past_px);
-        WindowRow row{.a = window.a(),
-                      .slope = window.b() * dv,
-                      .level = 1.0F - window.c() * dv * dv,
-                      .first_px = static_cast<float>(u0) - centreU,
-                      .step_px = static_cast<float>(stride)};
-        const std::uint8_t* pixels = frame[v];
-        const std::uint8_t* hiddenHere = hidden.empty() ? nullptr : hidden[v];
-        // A block may reach beyond the window, but not beyond the row.
-        if (stride == 1 && u1 + kBlock <= frame.cols) {
-            if (hiddenHere == nullptr)
-                sums.template addRow<false>(pixels + u0, nullptr, u1 - u0, row, dv);
-            else
-                sums.template addRow<true>(pixels + u0, hiddenHere + u0, u1 - u0, row, dv);
-            continue;
-        }
-        for (int u = u0; u < u1;) {
-            row.first_px = static_cast<float>(u) - centreU;
-            std::size_t count = 0;
-            if (hiddenHere == nullptr) {
-                for (; u < u1 && count < kMost; u += stride, ++count)
-                    gathered[count] = pixels[u];
-            } else {
-                for (; u < u1 && count < kMost; u += stride, ++count)
-                    gathered[count] = pixels[u] | hiddenHere[u];
-            }
-            for (std::size_t i = count; i % kBlock != 0; ++i)
-                gathered[i] = kWhite;
-            sums.template addRow<false>(gathered.data(), nullptr, static_cast<int>(count), row, dv);
-        }
-    }
-    return sums.moments();
-}
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]] DarkMoments wideMoments(const cv::Mat1b& frame, const cv::Mat1b& hidden,
-                                                const DotWindow& window, const Eigen::Vector2d& centre_px,
-                                                float ground) {
-    return momentsIn<WideLaneSums>(frame, hidden, window, centre_px, ground);
-}
-#endif
 
 } // namespace
 
@@ -260,12 +131,52 @@ DotWindow::DotWindow(const Eigen::Matrix2d& metric, int stride)
 
 DarkMoments darkMoments(const cv::Mat1b& frame, const cv::Mat1b& hidden, const DotWindow& window,
                         const Eigen::Vector2d& centre_px, float ground) {
-#ifdef __x86_64__
-    static const bool isWide = __builtin_cpu_supports("avx2") != 0;
-    if (isWide)
-        return wideMoments(frame, hidden, window, centre_px, ground);
-#endif
-    return momentsIn<LaneSums>(frame, hidden, window, centre_px, ground);
+    const int middleU = nearestPixel(centre_px.x());
+    const int middleV = nearestPixel(centre_px.y());
+    const auto centreU = static_cast<float>(centre_px.x());
+    const auto centreV = static_cast<float>(centre_px.y());
+    const int stride = window.stride();
+    constexpr int kMost = 16 * kBlock;
+    std::array<std::uint8_t, kMost> gathered{};
+    LaneSums sums(std::min(ground, static_cast<float>(kWhite)));
+    const int lastRow = std::min(frame.rows - 1, middleV + window.halfHeight_px());
+    for (int v = onLattice(std::max(0, middleV - window.halfHeight_px()), stride); v <= lastRow;
+         v += stride) {
+        const DotWindow::Reach& reach = window.reach(v - middleV);
+        const float dv = static_cast<float>(v) - centreV;
+        const int u0 = onLattice(std::max(0, middleU + reach.first_px), stride);
+        const int u1 = std::min(frame.cols, middleU + reach.past_px);
+        WindowRow row{.a = window.a(),
+                      .slope = window.b() * dv,
+                      .level = 1.0F - window.c() * dv * dv,
+                      .first_px = static_cast<float>(u0) - centreU,
+                      .step_px = static_cast<float>(stride)};
+        const std::uint8_t* pixels = frame[v];
+        const std::uint8_t* hiddenHere = hidden.empty() ? nullptr : hidden[v];
+        // A block may reach beyond the window, but not beyond the row.
+        if (stride == 1 && u1 + kBlock <= frame.cols) {
+            if (hiddenHere == nullptr)
+                sums.addRow<false>(pixels + u0, nullptr, u1 - u0, row, dv);
+            else
+                sums.addRow<true>(pixels + u0, hiddenHere + u0, u1 - u0, row, dv);
+            continue;
+        }
+        for (int u = u0; u < u1;) {
+            row.first_px = static_cast<float>(u) - centreU;
+            std::size_t count = 0;
+            if (hiddenHere == nullptr) {
+                for (; u < u1 && count < kMost; u += stride, ++count)
+                    gathered[count] = pixels[u];
+            } else {
+                for (; u < u1 && count < kMost; u += stride, ++count)
+                    gathered[count] = pixels[u] | hiddenHere[u];
+            }
+            for (std::size_t i = count; i % kBlock != 0; ++i)
+                gathered[i] = kWhite;
+            sums.addRow<false>(gathered.data(), nullptr, static_cast<int>(count), row, dv);
+        }
+    }
+    return sums.moments();
 }
 
 void prefetch(const cv::Mat1b& frame, const DotWindow& window, const Eigen::Vector2d& centre_px) {
