@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cmath>
 #include <console_bridge/console.h>
 #include <exception>
@@ -254,8 +255,9 @@ private:
             return {};
         }
         const urdf::JointLimits& limits = *source.limits;
-        if (!inRange(limits.lower) || !inRange(limits.upper) || !inRange(limits.velocity) ||
-            !inRange(limits.effort))
+        // Effort and velocity without an end are written as any large number.
+        if (!inRange(limits.lower) || !inRange(limits.upper) || !std::isfinite(limits.velocity) ||
+            !std::isfinite(limits.effort))
             return badJoint(source.name, UrdfText::tr("a number of its limits is out of range"), range());
         if (limits.velocity < 0.0 || limits.effort < 0.0)
             return badJoint(source.name, UrdfText::tr("a limit of velocity or effort is negative"),
@@ -267,8 +269,8 @@ private:
             joint.lowest = limits.lower;
             joint.highest = limits.upper;
         }
-        joint.fastest = limits.velocity;
-        joint.strongest = limits.effort;
+        joint.fastest = std::min(limits.velocity, kLargestNumber);
+        joint.strongest = std::min(limits.effort, kLargestNumber);
         return {};
     }
 

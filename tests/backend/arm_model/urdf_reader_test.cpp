@@ -141,6 +141,21 @@ TEST(UrdfReader, refusesWhatIsNoSerialRobot) {
               std::string::npos);
 }
 
+/// As humanoids of NASA have them.
+TEST(UrdfReader, takesALimitOfAnyEffortAsNoLimit) {
+    const auto model = arm_model::parseUrdf(
+        withJoint("name='j' type='revolute'",
+                  "<axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='1e10' velocity='1e7'/>"),
+        "robot.urdf");
+    ASSERT_TRUE(model) << core::describe(model.error());
+    EXPECT_EQ(model->joints[0].strongest, 1e6);
+    EXPECT_EQ(model->joints[0].fastest, 1e6);
+    EXPECT_NE(errorOf(withJoint("name='j' type='revolute'",
+                                "<axis xyz='0 0 1'/><limit lower='-1e9' upper='3' effort='9' velocity='1'/>"))
+                  .message.find("out of range"),
+              std::string::npos);
+}
+
 TEST(UrdfReader, refusesCirclesOfLinksAndOfMimics) {
     EXPECT_NE(errorOf("<robot name='r'><link name='a'/><link name='b'/>"
                       "<joint name='x' type='fixed'><parent link='a'/><child link='b'/></joint>"
