@@ -8,8 +8,11 @@
 #include "widgets/view3d/scene3d_view.h"
 #include "widgets/view3d/vtk/vtk_widget.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QHelpEvent>
+#include <QMenu>
 #include <QTest>
 #include <QToolTip>
 
@@ -79,7 +82,12 @@ private slots:
         QVERIFY2(QToolTip::text().contains(QStringLiteral("Shear 0.5")), qPrintable(QToolTip::text()));
         QVERIFY2(QToolTip::text().contains(QStringLiteral("friction 0.25")), qPrintable(QToolTip::text()));
         QToolTip::hideText();
-        const QString csv = stage.view.figure().csv();
+        QMenu menu;
+        stage.view.fillMenu(menu);
+        for (QAction* action : menu.actions())
+            if (action->text() == QStringLiteral("Copy &data"))
+                action->trigger();
+        const QString csv = QGuiApplication::clipboard()->text();
         QVERIFY2(csv.startsWith(QStringLiteral("time_s,contact_id,x_m,y_m,force_n,peak_n,area_m2,shear_x_n,"
                                                "shear_y_n,moment_z_nm,friction_ratio\n")),
                  qPrintable(csv));
