@@ -118,7 +118,7 @@ TEST(SiteFile, devicesHaveNamesOfTheirOwn) {
 
 TEST(SiteFile, aGelIsADeviceByItsOwnFileOrByAKey) {
     const test::TemporaryFolder folder;
-    std::ofstream(folder.path("finger.toml")) << "kind = \"marker_gel\"\nsource = \"0\"\n"
+    std::ofstream(folder.path("finger.toml")) << "kind = \"marker_gel\"\nsource = \"0\"\ngrid = \"free\"\n"
                                                  "[plane]\nmm_per_px = 0.1\n";
     const auto file = parseSite(std::string(kHead) + R"([[device]]
 gel = "finger.toml"
