@@ -79,8 +79,8 @@
         <translation>Shift+molette</translation>
     </message>
     <message>
-        <source>Scroll through time, in the charts</source>
-        <translation>Défiler dans le temps, dans les graphiques</translation>
+        <source>Scroll through time</source>
+        <translation>Défiler dans le temps</translation>
     </message>
     <message>
         <source>1, 2, 3, 4</source>

@@ -79,8 +79,8 @@
         <translation>Shift+ホイール</translation>
     </message>
     <message>
-        <source>Scroll through time, in the charts</source>
-        <translation>時間方向にスクロール (チャート)</translation>
+        <source>Scroll through time</source>
+        <translation>時間方向にスクロール</translation>
     </message>
     <message>
         <source>1, 2, 3, 4</source>

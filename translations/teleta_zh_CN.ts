@@ -79,8 +79,8 @@
         <translation>Shift+滚轮</translation>
     </message>
     <message>
-        <source>Scroll through time, in the charts</source>
-        <translation>在曲线图中：沿时间滚动</translation>
+        <source>Scroll through time</source>
+        <translation>沿时间滚动</translation>
     </message>
     <message>
         <source>1, 2, 3, 4</source>

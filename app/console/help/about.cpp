@@ -113,7 +113,7 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Home, End"), AboutText::tr("Start or end of the recording")},
         {AboutText::tr("In pictures and charts"), QString()},
         {AboutText::tr("Ctrl+wheel"), AboutText::tr("Zoom the picture or the time under the mouse")},
-        {AboutText::tr("Shift+wheel"), AboutText::tr("Scroll through time, in the charts")},
+        {AboutText::tr("Shift+wheel"), AboutText::tr("Scroll through time")},
         {AboutText::tr("On the page Patterns"), QString()},
         {AboutText::tr("Ctrl+N, O, S, Shift+S, E"), AboutText::tr("New, open, save, save as, export")},
         {AboutText::tr("Ctrl+[, Ctrl+], Ctrl+M, Ctrl+L"),
