@@ -290,6 +290,14 @@
         <source>In pictures and charts</source>
         <translation>Dans les images et les graphiques</translation>
     </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>Release control of the site</source>
+        <translation>Rendre la commande du site</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -532,34 +540,6 @@
 <context>
     <name>ArmJogText</name>
     <message>
-        <source>joint speed</source>
-        <translation>vitesse de l’articulation</translation>
-    </message>
-    <message>
-        <source>tip speed</source>
-        <translation>vitesse de l’extrémité</translation>
-    </message>
-    <message>
-        <source>joint limit</source>
-        <translation>butée de l’articulation</translation>
-    </message>
-    <message>
-        <source>workspace box</source>
-        <translation>boîte de l’extrémité</translation>
-    </message>
-    <message>
-        <source>effort</source>
-        <translation>effort</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>force</translation>
-    </message>
-    <message>
-        <source>the arm lags behind</source>
-        <translation>le bras est en retard</translation>
-    </message>
-    <message>
         <source>the arm cannot be moved: %1</source>
         <translation>le bras ne peut pas être bougé&#xa0;:&#xa0;%1</translation>
     </message>
@@ -598,6 +578,97 @@
     <message>
         <source>the motion was cut short: %1</source>
         <translation>le mouvement a été interrompu&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
+    <name>ArmServoTexts</name>
+    <message>
+        <source>Follow a point</source>
+        <translation>Suivre un point</translation>
+    </message>
+    <message>
+        <source>Explore an edge</source>
+        <translation>Explorer une arête</translation>
+    </message>
+    <message>
+        <source>Roll about a point</source>
+        <translation>Rouler autour d’un point</translation>
+    </message>
+    <message>
+        <source>Co-manipulation</source>
+        <translation>Co-manipulation</translation>
+    </message>
+    <message>
+        <source>The next press is a rehearsal. Only a shadow of the arm moves, and the arm gets no command.</source>
+        <translation>La prochaine pression est une répétition. Seule une ombre du bras bouge, et le bras ne reçoit aucune commande.</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: the arm gets no command. Its shadow touches a ball that is assumed in front of the pad.</source>
+        <translation>RÉPÉTITION : le bras ne reçoit aucune commande. Son ombre touche une bille supposée devant la matrice.</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: the arm gets no command. Its shadow touches an edge that is assumed in front of the pad.</source>
+        <translation>RÉPÉTITION : le bras ne reçoit aucune commande. Son ombre touche une arête supposée devant la matrice.</translation>
+    </message>
+    <message>
+        <source>Rehearsed. The next press MOVES THE ARM.</source>
+        <translation>Répété. La prochaine pression DÉPLACE LE BRAS.</translation>
+    </message>
+    <message>
+        <source>THE ARM MOVES as long as you hold the switch.</source>
+        <translation>LE BRAS BOUGE tant que vous tenez le bouton.</translation>
+    </message>
+    <message>
+        <source>The rehearsal was too short to count.</source>
+        <translation>La répétition était trop courte pour compter.</translation>
+    </message>
+    <message>
+        <source>Ended: STOP was engaged.</source>
+        <translation>Terminé : STOP a été enclenché.</translation>
+    </message>
+    <message>
+        <source>Ended: the frames of the pad are old.</source>
+        <translation>Terminé : les trames de la matrice sont anciennes.</translation>
+    </message>
+    <message>
+        <source>Ended: the joint readings are old.</source>
+        <translation>Terminé : les mesures des articulations sont anciennes.</translation>
+    </message>
+    <message>
+        <source>Ended: the arm took no commands.</source>
+        <translation>Terminé : le bras n’acceptait pas de commandes.</translation>
+    </message>
+    <message>
+        <source>Ended: the arm took no commands: %1.</source>
+        <translation>Terminé : le bras n’acceptait pas de commandes : %1.</translation>
+    </message>
+    <message>
+        <source>Ended: the contact was lost, and the search did not find it.</source>
+        <translation>Terminé : le contact a été perdu, et la recherche ne l’a pas retrouvé.</translation>
+    </message>
+    <message>
+        <source>Ended: nothing was touched within %1.</source>
+        <translation>Terminé : rien n’a été touché sur %1.</translation>
+    </message>
+    <message>
+        <source>Ended: the pad went %1 into what it touches and felt less than half of the force.</source>
+        <translation>Terminé : la matrice s’est enfoncée de %1 dans ce qu’elle touche et a senti moins de la moitié de la force.</translation>
+    </message>
+    <message>
+        <source>Ended: the shadow could not follow.</source>
+        <translation>Terminé : l’ombre n’a pas pu suivre.</translation>
+    </message>
+    <message>
+        <source>The task is done.</source>
+        <translation>La tâche est terminée.</translation>
+    </message>
+    <message>
+        <source>The arm was moved otherwise: the task is rehearsed again.</source>
+        <translation>Le bras a été déplacé autrement : la tâche est de nouveau répétée.</translation>
+    </message>
+    <message>
+        <source>The task was changed: it is rehearsed again.</source>
+        <translation>La tâche a été changée : elle est de nouveau répétée.</translation>
     </message>
 </context>
 <context>
@@ -772,6 +843,46 @@
     <message>
         <source>--frame-axis first or last, or a time_s for each frame</source>
         <translation>--frame-axis first ou last, ou un time_s par image</translation>
+    </message>
+    <message>
+        <source>a frame of %1 has the shape %2 x %3</source>
+        <translation>une trame de %1 a la forme %2 x %3</translation>
+    </message>
+    <message>
+        <source>%1 taxels x 3, as the layout has them</source>
+        <translation>%1 taxels x 3, comme la disposition</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns, as the layout has them</source>
+        <translation>%1 lignes x %2 colonnes, comme la disposition</translation>
+    </message>
+    <message>
+        <source>%1 can be a grid of 3 columns, or %2 taxels with x, y and z each</source>
+        <translation>%1 peut être une grille de 3 colonnes, ou %2 taxels avec x, y et z chacun</translation>
+    </message>
+    <message>
+        <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>--rows %1 --columns 3 pour la grille ; pour des vecteurs, le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
+    </message>
+    <message>
+        <source>%1 has %2 numbers</source>
+        <translation>%1 a %2 nombres</translation>
+    </message>
+    <message>
+        <source>%1, as the layout has them</source>
+        <translation>%1, comme la disposition</translation>
+    </message>
+    <message>
+        <source>the taxels have places of their own, in positions_m</source>
+        <translation>les taxels ont leurs propres places, dans positions_m</translation>
+    </message>
+    <message>
+        <source>the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
+    </message>
+    <message>
+        <source>a frame of the array has %1 numbers</source>
+        <translation>une trame du tableau a %1 nombres</translation>
     </message>
 </context>
 <context>
@@ -1881,6 +1992,21 @@
     </message>
 </context>
 <context>
+    <name>ChannelServo</name>
+    <message>
+        <source>the arm has no pad on a link</source>
+        <translation>le bras n’a pas de matrice sur un segment</translation>
+    </message>
+    <message>
+        <source>a recording is played, and nothing can be moved</source>
+        <translation>un enregistrement est lu, et rien ne peut être déplacé</translation>
+    </message>
+    <message>
+        <source>the pad is not calibrated: its loads are not in N</source>
+        <translation>la matrice n’est pas étalonnée : ses charges ne sont pas en N</translation>
+    </message>
+</context>
+<context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
@@ -2760,6 +2886,10 @@ Exemples&#xa0;:
         <source>Place, force and identity of each contact of each tactile frame</source>
         <translation>Lieu, force et identité de chaque contact de chaque trame tactile</translation>
     </message>
+    <message>
+        <source>this is for loads on a grid</source>
+        <translation>ceci est pour des charges sur une grille</translation>
+    </message>
 </context>
 <context>
     <name>ContourCommand</name>
@@ -3073,6 +3203,30 @@ Exemples&#xa0;:
     <message>
         <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
         <translation>part des gains vrais, moyenne quadratique d’une matrice&#xa0;; un taxel laissé de côté compte tel quel</translation>
+    </message>
+    <message>
+        <source>Motion of the markers of a gel</source>
+        <translation>Mouvement des marqueurs d’un gel</translation>
+    </message>
+    <message>
+        <source>distance from the way that the marker was drawn to have gone; a marker that is lost counts as at rest</source>
+        <translation>distance au chemin que le marqueur a parcouru dans le dessin ; un marqueur perdu compte comme au repos</translation>
+    </message>
+    <message>
+        <source>Interval of a threshold from a participant&apos;s answers</source>
+        <translation>Intervalle d’un seuil d’après les réponses d’un participant</translation>
+    </message>
+    <message>
+        <source>score of the 95 % interval of the threshold&apos;s logarithm: its width, and 40 times how far the true one lies outside of it</source>
+        <translation>score de l’intervalle à 95 % du logarithme du seuil : sa largeur, plus 40 fois l’écart du vrai hors de l’intervalle</translation>
+    </message>
+    <message>
+        <source>Contacts on the skin of a whole body</source>
+        <translation>Contacts sur la peau d’un corps entier</translation>
+    </message>
+    <message>
+        <source>distance of each body from the nearest contact of its patch, and of each contact from the nearest body; from the patch&apos;s middle where there is none</source>
+        <translation>distance de chaque corps au contact le plus proche de son carré de peau, et de chaque contact au corps le plus proche ; au milieu du carré s’il n’y en a pas</translation>
     </message>
 </context>
 <context>
@@ -4534,6 +4688,14 @@ Exemples&#xa0;:
         <source>at least one row after the header</source>
         <translation>au moins une ligne après l’en-tête</translation>
     </message>
+    <message>
+        <source>the frames are of vectors, t0_x,t0_y,t0_z</source>
+        <translation>les trames sont des vecteurs, t0_x,t0_y,t0_z</translation>
+    </message>
+    <message>
+        <source>one number a taxel; or the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>un nombre par taxel ; ou le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
+    </message>
 </context>
 <context>
     <name>FrameImportText</name>
@@ -4656,6 +4818,26 @@ Exemples&#xa0;:
         <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
         <translation>Écart type de la charge d’un taxel au repos en N, pour les erreurs types du sommet</translation>
     </message>
+    <message>
+        <source>Where the taxels are and what each tells, also off a grid and as vectors: the table [layout] of a device file</source>
+        <translation>Où sont les taxels et ce que chacun donne, aussi hors d’une grille et en vecteurs : la table [layout] d’un fichier d’appareil</translation>
+    </message>
+    <message>
+        <source>it says rows, columns and pitch itself</source>
+        <translation>elle dit elle-même lignes, colonnes et pas</translation>
+    </message>
+    <message>
+        <source>&apos;untouched&apos; is for loads, but each taxel tells three values</source>
+        <translation>« untouched » est pour des charges, mais chaque taxel donne trois valeurs</translation>
+    </message>
+    <message>
+        <source>These lines of the file have no effect: %1.</source>
+        <translation>Ces lignes du fichier n’ont pas d’effet : %1.</translation>
+    </message>
+    <message>
+        <source>this is for loads on a grid</source>
+        <translation>ceci est pour des charges sur une grille</translation>
+    </message>
 </context>
 <context>
     <name>FrameReaderText</name>
@@ -4686,6 +4868,22 @@ Exemples&#xa0;:
     <message>
         <source>frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII</source>
         <translation>des images en CSV, npy, npz, HDF5, MAT ou ASCII de Tekscan</translation>
+    </message>
+    <message>
+        <source>the file says itself where its taxels are</source>
+        <translation>le fichier dit lui-même où sont ses taxels</translation>
+    </message>
+    <message>
+        <source>no layout</source>
+        <translation>pas de disposition</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>l’enregistrement est trop long</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>au plus %1 valeurs</translation>
     </message>
 </context>
 <context>
@@ -5220,6 +5418,11 @@ Exemples&#xa0;:
     <message>
         <source>%1   %2   %3   x %4 mm, y %5 mm</source>
         <translation>%1   %2   %3   x %4 mm, y %5 mm</translation>
+    </message>
+    <message>
+        <source>contact #%1 with shear %2, friction %3</source>
+        <extracomment>Of a contact: the force along the surface, and it divided by the force into the surface</extracomment>
+        <translation>contact n° %1, cisaillement %2, frottement %3</translation>
     </message>
 </context>
 <context>
@@ -5914,6 +6117,37 @@ Exemples&#xa0;:
     <message>
         <source>interrupted</source>
         <translation>interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>LimitText</name>
+    <message>
+        <source>joint speed</source>
+        <translation>vitesse de l’articulation</translation>
+    </message>
+    <message>
+        <source>tip speed</source>
+        <translation>vitesse de l’extrémité</translation>
+    </message>
+    <message>
+        <source>joint limit</source>
+        <translation>butée de l’articulation</translation>
+    </message>
+    <message>
+        <source>workspace box</source>
+        <translation>boîte de l’extrémité</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>effort</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>force</translation>
+    </message>
+    <message>
+        <source>the arm lags behind</source>
+        <translation>le bras est en retard</translation>
     </message>
 </context>
 <context>
@@ -7022,6 +7256,18 @@ Exemples&#xa0;:
         <source>security = &quot;certificates&quot;, or interface = &quot;lo&quot;</source>
         <translation>security = &quot;certificates&quot;, ou interface = &quot;lo&quot;</translation>
     </message>
+    <message>
+        <source>no interface is named, so that each network reaches the site</source>
+        <translation>aucune interface n’est nommée, si bien que chaque réseau atteint le site</translation>
+    </message>
+    <message>
+        <source>%1 is no tunnel, so that its whole network reaches the site</source>
+        <translation>%1 n’est pas un tunnel, si bien que tout son réseau atteint le site</translation>
+    </message>
+    <message>
+        <source>interface: that of a VPN; or security_bind = &quot;any&quot;</source>
+        <translation>interface : celle d’un VPN ; ou security_bind = &quot;any&quot;</translation>
+    </message>
 </context>
 <context>
     <name>OscTrigger</name>
@@ -7161,6 +7407,18 @@ Aire %6</translation>
     <message>
         <source>Spread of the skin, longest arrow: %1</source>
         <translation>Étalement de la peau, flèche la plus longue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Shear %1, friction %2</source>
+        <extracomment>Shear is the force along the surface; friction is it divided by the force into the surface</extracomment>
+        <translation>Cisaillement %1, frottement %2</translation>
+    </message>
+</context>
+<context>
+    <name>PadArm</name>
+    <message>
+        <source>the arm has %1 joints, its description %2</source>
+        <translation>le bras a %1 articulations, sa description %2</translation>
     </message>
 </context>
 <context>
@@ -10905,6 +11163,67 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SiteEventText</name>
+    <message>
+        <source>%1: the console %2 is there.</source>
+        <translation>%1 : la console %2 est là.</translation>
+    </message>
+    <message>
+        <source>%1 cannot listen to the console %2: %3</source>
+        <translation>%1 ne peut pas écouter la console %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: another program named %2 is connected; it is ignored.</source>
+        <translation>%1 : un autre programme nommé %2 est connecté ; il est ignoré.</translation>
+    </message>
+    <message>
+        <source>%1 kept a program out: %2</source>
+        <translation>%1 a écarté un programme : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is in control.</source>
+        <translation>%1 : %2 commande.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no longer in control.</source>
+        <translation>%1 : %2 ne commande plus.</translation>
+    </message>
+    <message>
+        <source>%1: STOP is held by %2.</source>
+        <translation>%1 : STOP est maintenu par %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 withdrew STOP.</source>
+        <translation>%1 : %2 a levé STOP.</translation>
+    </message>
+    <message>
+        <source>%1: fault of %2: %3</source>
+        <translation>%1 : défaut de %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is live.</source>
+        <translation>%1 : %2 est actif.</translation>
+    </message>
+    <message>
+        <source>%1: its recording failed: %2</source>
+        <translation>%1 : son enregistrement a échoué : %2</translation>
+    </message>
+    <message>
+        <source>%1: its keys: %2</source>
+        <translation>%1 : ses clés : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a site and what it says</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>a site, a device and what it says</comment>
+        <translation>%1 : %2 : %3</translation>
+    </message>
+</context>
+<context>
     <name>SiteFileText</name>
     <message>
         <source>the device needs an id</source>
@@ -14110,10 +14429,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Dossier pour runs.csv, cells.csv, figures et sweep.json&#xa0;; un balayage interrompu y reprend</translation>
     </message>
     <message>
-        <source>Runs at the same time; otherwise as many as the machine has cores</source>
-        <translation>Exécutions simultanées&#xa0;; sinon autant que la machine a de cœurs</translation>
-    </message>
-    <message>
         <source>Throw away what the folder has of an earlier sweep</source>
         <translation>Jeter ce que le dossier contient d’un balayage antérieur</translation>
     </message>
@@ -14212,6 +14527,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>needs --slurm or --task</source>
         <translation>a besoin de --slurm ou --task</translation>
+    </message>
+    <message>
+        <source>Runs at the same time; otherwise as many as the machine has cores, and one of a ladder, which is timed</source>
+        <translation>Exécutions simultanées ; sinon autant que la machine a de cœurs, et une seule d’une échelle, qui est chronométrée</translation>
+    </message>
+    <message>
+        <source>%1; asking again (%2 of %3)</source>
+        <translation>%1 ; nouvelle demande (%2 sur %3)</translation>
     </message>
 </context>
 <context>
@@ -14708,6 +15031,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>First frame: taxel, x and y in mm, and its load in %1</source>
         <translation>Première trame&#xa0;: taxel, x et y en mm, et sa charge en %1</translation>
     </message>
+    <message>
+        <source>Binary messages, which are left out</source>
+        <translation>Messages binaires, laissés de côté</translation>
+    </message>
 </context>
 <context>
     <name>TaxelsText</name>
@@ -14956,6 +15283,30 @@ Lancez teleta-site --help pour en savoir plus.
         <source>this mask does not fit the array</source>
         <translation>ce masque ne convient pas à la matrice</translation>
     </message>
+    <message>
+        <source>at most %1 chips</source>
+        <translation>au plus %1 puces</translation>
+    </message>
+    <message>
+        <source>The sensor has told no values for %1 s: it has none, or they are switched off.</source>
+        <translation>Le capteur n’a donné aucune valeur depuis %1 s : il n’en a pas, ou elles sont désactivées.</translation>
+    </message>
+    <message>
+        <source>The sensor is another model: %1 instead of %2.</source>
+        <translation>Le capteur est d’un autre modèle : %1 au lieu de %2.</translation>
+    </message>
+    <message>
+        <source>The sensor has %1 taxels instead of %2.</source>
+        <translation>Le capteur a %1 taxels au lieu de %2.</translation>
+    </message>
+    <message>
+        <source>the board sends frames of %1 chips</source>
+        <translation>la carte envoie des trames de %1 puces</translation>
+    </message>
+    <message>
+        <source>frames of %1 chips, as the file has positions</source>
+        <translation>des trames de %1 puces, autant que le fichier a de positions</translation>
+    </message>
 </context>
 <context>
     <name>TekscanText</name>
@@ -15054,6 +15405,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a number or B</source>
         <translation>un nombre ou B</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 ou 1</translation>
     </message>
 </context>
 <context>
@@ -16328,6 +16683,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>the file has %1 bytes</source>
         <translation>le fichier a %1 octets</translation>
     </message>
+    <message>
+        <source>this cannot be read as a robot (%1)</source>
+        <translation>ceci ne peut pas être lu comme un robot (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ValidatorText</name>
@@ -16578,6 +16937,62 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>the zip archive could not be created</source>
         <translation>l’archive zip n’a pas pu être créée</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::arm_servo::ArmServoPanel</name>
+    <message>
+        <source>No servo task is possible: %1.</source>
+        <translation>Aucune tâche d’asservissement n’est possible : %1.</translation>
+    </message>
+    <message>
+        <source>Hold to move the arm (or Space)</source>
+        <translation>Maintenir pour déplacer le bras (ou Espace)</translation>
+    </message>
+    <message>
+        <source>Hold to rehearse (or Space)</source>
+        <translation>Maintenir pour répéter (ou Espace)</translation>
+    </message>
+    <message>
+        <source>%1, %2, force %3</source>
+        <comment>a task, whether there is contact</comment>
+        <translation>%1, %2, force %3</translation>
+    </message>
+    <message>
+        <source>%1. Limits that act: %2</source>
+        <translation>%1. Limites qui agissent : %2</translation>
+    </message>
+    <message>
+        <source>Servo task on the arm</source>
+        <translation>Tâche d’asservissement du bras</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Lets the arm do a task by what its pad feels. The first press is a rehearsal on a shadow of the arm, the second one moves the arm. It moves only while you hold the button, or Space.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Fait faire au bras une tâche d’après ce que sent sa matrice. La première pression est une répétition sur une ombre du bras, la deuxième déplace le bras. Il ne bouge que tant que vous tenez le bouton, ou Espace.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Servo task</source>
+        <translation>Tâche d’asservissement</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>&amp;Tâche</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Force</translation>
+    </message>
+    <message>
+        <source>Force with which the pad presses</source>
+        <translation>Force avec laquelle la matrice appuie</translation>
+    </message>
+    <message>
+        <source>Dead-man switch of the servo task</source>
+        <translation>Dispositif d’homme mort de la tâche d’asservissement</translation>
+    </message>
+    <message>
+        <source>Dead-man switch: the task runs only while this button or Space is held</source>
+        <translation>Dispositif d’homme mort : la tâche ne s’exécute que tant que ce bouton ou Espace est tenu</translation>
     </message>
 </context>
 <context>
@@ -19853,6 +20268,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>The arm is drawn without its meshes: %1</source>
         <translation>Le bras est dessiné sans ses maillages&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>The arm reports joints that its description does not have: %1.</source>
+        <translation>Le bras indique des articulations que sa description n’a pas : %1.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LayoutsMenu</name>
@@ -20695,6 +21114,22 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Arms (*.toml)</source>
         <translation>Bras (*.toml)</translation>
     </message>
+    <message>
+        <source>Hand o&amp;ver to</source>
+        <translation>Trans&amp;mettre à</translation>
+    </message>
+    <message>
+        <source>&amp;Take over control of the site</source>
+        <translation>Reprendre la commande du si&amp;te</translation>
+    </message>
+    <message>
+        <source>For supervisors: the other console has 5 s to decline</source>
+        <translation>Pour les superviseurs : l’autre console a 5 s pour refuser</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -21101,6 +21536,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Closes it again</source>
         <translation>La referme</translation>
+    </message>
+    <message>
+        <source>They are left out. Compare [joint_names] in the arm&apos;s file.</source>
+        <translation>Elles sont ignorées. Comparez avec [joint_names] dans le fichier du bras.</translation>
     </message>
 </context>
 <context>
@@ -22500,10 +22939,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Refusé : STOP est engagé.</translation>
     </message>
     <message>
-        <source>Nobody answered in time, or it was declined.</source>
-        <translation>Personne n’a répondu à temps, ou c’était un refus.</translation>
-    </message>
-    <message>
         <source>not in control</source>
         <translation>sans la commande</translation>
     </message>
@@ -22542,6 +22977,30 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>another program has this console&apos;s name</source>
         <translation>un autre programme porte le nom de cette console</translation>
+    </message>
+    <message>
+        <source>the loop takes %1 s, the limit is %2 s</source>
+        <translation>la boucle dure %1 s, la limite est de %2 s</translation>
+    </message>
+    <message>
+        <source>the loop takes longer than %1 s</source>
+        <translation>la boucle dure plus de %1 s</translation>
+    </message>
+    <message>
+        <source>Refused: another program named %1 is connected.</source>
+        <translation>Refusé : un autre programme nommé %1 est connecté.</translation>
+    </message>
+    <message>
+        <source>It was declined.</source>
+        <translation>C’était un refus.</translation>
+    </message>
+    <message>
+        <source>It was declined: %1</source>
+        <translation>Refusé : %1</translation>
+    </message>
+    <message>
+        <source>Nobody answered in time.</source>
+        <translation>Personne n’a répondu à temps.</translation>
     </message>
 </context>
 <context>
@@ -24370,6 +24829,48 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Release control</source>
         <translation>Rendre la commande</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a console and who sits there</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>In control: %1</source>
+        <translation>Aux commandes : %1</translation>
+    </message>
+    <message>
+        <source>Viewers: %1</source>
+        <translation>Observateurs : %1</translation>
+    </message>
+    <message>
+        <source>Loop: median %1 ms, 99 %: %2 ms</source>
+        <translation>Boucle : médiane %1 ms, 99 % : %2 ms</translation>
+    </message>
+    <message>
+        <source>Clock offset: %1 s ± %2 ms</source>
+        <translation>Décalage d’horloge : %1 s ± %2 ms</translation>
+    </message>
+    <message>
+        <source>Lost of %1: %2</source>
+        <translation>Perdu de %1 : %2</translation>
+    </message>
+    <message>
+        <source>Refused: %1 (%2)</source>
+        <comment>a reason and how often</comment>
+        <translation>Refusé : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Reason (if you decline)</source>
+        <translation>Raison (si vous refusez)</translation>
+    </message>
+    <message>
+        <source>Reason for declining</source>
+        <translation>Raison du refus</translation>
+    </message>
+    <message>
+        <source>The other console shows it</source>
+        <translation>L’autre console l’affiche</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::AnswerButton</name>
@@ -25702,6 +26203,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>At the tip: force %1, torque %2</source>
         <translation>À l’extrémité&#xa0;: force %1, couple %2</translation>
     </message>
+    <message>
+        <source>Speed and effort of %1, as the arm reports them</source>
+        <translation>Vitesse et effort de %1, tels que le bras les indique</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -25720,6 +26225,17 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Range %1 … %2</source>
         <translation>Plage %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::LimitLine</name>
+    <message>
+        <source>Active limits: %1.</source>
+        <translation>Limites actives : %1.</translation>
+    </message>
+    <message>
+        <source>Near a singularity: slower.</source>
+        <translation>Près d’une singularité : plus lent.</translation>
     </message>
 </context>
 <context>

@@ -290,6 +290,14 @@
         <source>In pictures and charts</source>
         <translation>画像とグラフ</translation>
     </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>Release control of the site</source>
+        <translation>サイトの操作権を手放す</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -530,34 +538,6 @@
 <context>
     <name>ArmJogText</name>
     <message>
-        <source>joint speed</source>
-        <translation>関節の速度</translation>
-    </message>
-    <message>
-        <source>tip speed</source>
-        <translation>先端の速度</translation>
-    </message>
-    <message>
-        <source>joint limit</source>
-        <translation>関節の可動端</translation>
-    </message>
-    <message>
-        <source>workspace box</source>
-        <translation>先端の可動範囲 (箱)</translation>
-    </message>
-    <message>
-        <source>effort</source>
-        <translation>トルク・力</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>the arm lags behind</source>
-        <translation>アームの遅れ</translation>
-    </message>
-    <message>
         <source>the arm cannot be moved: %1</source>
         <translation>アームを動かせません: %1</translation>
     </message>
@@ -596,6 +576,97 @@
     <message>
         <source>the motion was cut short: %1</source>
         <translation>動作は途中で中断されました: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ArmServoTexts</name>
+    <message>
+        <source>Follow a point</source>
+        <translation>点の追従</translation>
+    </message>
+    <message>
+        <source>Explore an edge</source>
+        <translation>エッジの探索</translation>
+    </message>
+    <message>
+        <source>Roll about a point</source>
+        <translation>点まわりの転がし</translation>
+    </message>
+    <message>
+        <source>Co-manipulation</source>
+        <translation>協調操作</translation>
+    </message>
+    <message>
+        <source>The next press is a rehearsal. Only a shadow of the arm moves, and the arm gets no command.</source>
+        <translation>次の押下はリハーサルです。動くのはアームの影だけで、アームには指令が送られません。</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: the arm gets no command. Its shadow touches a ball that is assumed in front of the pad.</source>
+        <translation>リハーサル: アームには指令が送られません。影は、パッドの前にあると仮定した球に触れます。</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: the arm gets no command. Its shadow touches an edge that is assumed in front of the pad.</source>
+        <translation>リハーサル: アームには指令が送られません。影は、パッドの前にあると仮定したエッジに触れます。</translation>
+    </message>
+    <message>
+        <source>Rehearsed. The next press MOVES THE ARM.</source>
+        <translation>リハーサル済み。次の押下でアームが動きます。</translation>
+    </message>
+    <message>
+        <source>THE ARM MOVES as long as you hold the switch.</source>
+        <translation>ボタンを押している間、アームが動きます。</translation>
+    </message>
+    <message>
+        <source>The rehearsal was too short to count.</source>
+        <translation>リハーサルが短すぎて、数えられません。</translation>
+    </message>
+    <message>
+        <source>Ended: STOP was engaged.</source>
+        <translation>終了: STOP が作動しました。</translation>
+    </message>
+    <message>
+        <source>Ended: the frames of the pad are old.</source>
+        <translation>終了: パッドのフレームが古くなっています。</translation>
+    </message>
+    <message>
+        <source>Ended: the joint readings are old.</source>
+        <translation>終了: 関節の値が古くなっています。</translation>
+    </message>
+    <message>
+        <source>Ended: the arm took no commands.</source>
+        <translation>終了: アームが指令を受けませんでした。</translation>
+    </message>
+    <message>
+        <source>Ended: the arm took no commands: %1.</source>
+        <translation>終了: アームが指令を受けませんでした: %1。</translation>
+    </message>
+    <message>
+        <source>Ended: the contact was lost, and the search did not find it.</source>
+        <translation>終了: 接触が失われ、探索でも見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>Ended: nothing was touched within %1.</source>
+        <translation>終了: %1 以内に何にも触れませんでした。</translation>
+    </message>
+    <message>
+        <source>Ended: the pad went %1 into what it touches and felt less than half of the force.</source>
+        <translation>終了: パッドが触れている物に %1 入り込みましたが、力は半分に満たないままでした。</translation>
+    </message>
+    <message>
+        <source>Ended: the shadow could not follow.</source>
+        <translation>終了: 影が追従できませんでした。</translation>
+    </message>
+    <message>
+        <source>The task is done.</source>
+        <translation>タスクが完了しました。</translation>
+    </message>
+    <message>
+        <source>The arm was moved otherwise: the task is rehearsed again.</source>
+        <translation>アームが別の方法で動かされました。タスクはもう一度リハーサルになります。</translation>
+    </message>
+    <message>
+        <source>The task was changed: it is rehearsed again.</source>
+        <translation>タスクが変更されました。もう一度リハーサルになります。</translation>
     </message>
 </context>
 <context>
@@ -770,6 +841,46 @@
     <message>
         <source>--frame-axis first or last, or a time_s for each frame</source>
         <translation>--frame-axis first または last、もしくは各フレームの time_s</translation>
+    </message>
+    <message>
+        <source>a frame of %1 has the shape %2 x %3</source>
+        <translation>%1のフレームの形は%2 x %3です</translation>
+    </message>
+    <message>
+        <source>%1 taxels x 3, as the layout has them</source>
+        <translation>配置どおりの%1タクセル x 3</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns, as the layout has them</source>
+        <translation>配置どおりの%1行 x %2列</translation>
+    </message>
+    <message>
+        <source>%1 can be a grid of 3 columns, or %2 taxels with x, y and z each</source>
+        <translation>%1は3列の格子かもしれず、それぞれx、y、zを持つ%2個のタクセルかもしれません</translation>
+    </message>
+    <message>
+        <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>格子なら--rows %1 --columns 3。ベクトルならタクセルの場所を示すファイル（--layout FILE.toml）</translation>
+    </message>
+    <message>
+        <source>%1 has %2 numbers</source>
+        <translation>%1には%2個の数があります</translation>
+    </message>
+    <message>
+        <source>%1, as the layout has them</source>
+        <translation>配置どおりの%1個</translation>
+    </message>
+    <message>
+        <source>the taxels have places of their own, in positions_m</source>
+        <translation>タクセルには独自の場所があります（positions_m）</translation>
+    </message>
+    <message>
+        <source>the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>タクセルの場所を示すファイル（--layout FILE.toml）</translation>
+    </message>
+    <message>
+        <source>a frame of the array has %1 numbers</source>
+        <translation>配列のフレームには%1個の数があります</translation>
     </message>
 </context>
 <context>
@@ -1877,6 +1988,21 @@
     </message>
 </context>
 <context>
+    <name>ChannelServo</name>
+    <message>
+        <source>the arm has no pad on a link</source>
+        <translation>アームのリンクにパッドがありません</translation>
+    </message>
+    <message>
+        <source>a recording is played, and nothing can be moved</source>
+        <translation>記録の再生中は何も動かせません</translation>
+    </message>
+    <message>
+        <source>the pad is not calibrated: its loads are not in N</source>
+        <translation>パッドが校正されていません。荷重の単位が N ではありません</translation>
+    </message>
+</context>
+<context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
@@ -2755,6 +2881,10 @@ Examples:
         <source>Place, force and identity of each contact of each tactile frame</source>
         <translation>各触覚フレームの各接触の位置、力、識別番号</translation>
     </message>
+    <message>
+        <source>this is for loads on a grid</source>
+        <translation>これは格子上の荷重のためのものです</translation>
+    </message>
 </context>
 <context>
     <name>ContourCommand</name>
@@ -3067,6 +3197,30 @@ Examples:
     <message>
         <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
         <translation>真のゲインに対する割合、アレイ全体の二乗平均平方根。除外されたタクセルはそのまま数えます</translation>
+    </message>
+    <message>
+        <source>Motion of the markers of a gel</source>
+        <translation>ゲルのマーカーの動き</translation>
+    </message>
+    <message>
+        <source>distance from the way that the marker was drawn to have gone; a marker that is lost counts as at rest</source>
+        <translation>描いたマーカーの移動量との距離。見失ったマーカーは静止しているとみなす</translation>
+    </message>
+    <message>
+        <source>Interval of a threshold from a participant&apos;s answers</source>
+        <translation>参加者の回答から求めた閾値の区間</translation>
+    </message>
+    <message>
+        <source>score of the 95 % interval of the threshold&apos;s logarithm: its width, and 40 times how far the true one lies outside of it</source>
+        <translation>閾値の対数の95 %区間のスコア: 区間の幅に、真の値が区間の外にある距離の40倍を加えたもの</translation>
+    </message>
+    <message>
+        <source>Contacts on the skin of a whole body</source>
+        <translation>全身の皮膚の接触</translation>
+    </message>
+    <message>
+        <source>distance of each body from the nearest contact of its patch, and of each contact from the nearest body; from the patch&apos;s middle where there is none</source>
+        <translation>各物体からその皮膚片の最も近い接触まで、および各接触から最も近い物体までの距離。なければ皮膚片の中央までの距離</translation>
     </message>
 </context>
 <context>
@@ -4522,6 +4676,14 @@ Examples:
         <source>at least one row after the header</source>
         <translation>ヘッダーの後に1行以上</translation>
     </message>
+    <message>
+        <source>the frames are of vectors, t0_x,t0_y,t0_z</source>
+        <translation>フレームはベクトルです（t0_x,t0_y,t0_z）</translation>
+    </message>
+    <message>
+        <source>one number a taxel; or the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>タクセルごとに1つの数。またはタクセルの場所を示すファイル（--layout FILE.toml）</translation>
+    </message>
 </context>
 <context>
     <name>FrameImportText</name>
@@ -4644,6 +4806,26 @@ Examples:
         <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
         <translation>静止時のタクセル荷重の標準偏差（N）。頂点の標準誤差に使う</translation>
     </message>
+    <message>
+        <source>Where the taxels are and what each tells, also off a grid and as vectors: the table [layout] of a device file</source>
+        <translation>タクセルの場所と、それぞれの値。格子の外やベクトルも可: デバイスファイルの表[layout]</translation>
+    </message>
+    <message>
+        <source>it says rows, columns and pitch itself</source>
+        <translation>行、列、間隔はそのファイルが示します</translation>
+    </message>
+    <message>
+        <source>&apos;untouched&apos; is for loads, but each taxel tells three values</source>
+        <translation>「untouched」は荷重用ですが、各タクセルは3つの値を示します</translation>
+    </message>
+    <message>
+        <source>These lines of the file have no effect: %1.</source>
+        <translation>ファイルの次の行は効果がありません: %1。</translation>
+    </message>
+    <message>
+        <source>this is for loads on a grid</source>
+        <translation>これは格子上の荷重のためのものです</translation>
+    </message>
 </context>
 <context>
     <name>FrameReaderText</name>
@@ -4674,6 +4856,22 @@ Examples:
     <message>
         <source>frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII</source>
         <translation>CSV、npy、npz、HDF5、MAT、または Tekscan ASCII のフレーム</translation>
+    </message>
+    <message>
+        <source>the file says itself where its taxels are</source>
+        <translation>ファイル自体がタクセルの場所を示しています</translation>
+    </message>
+    <message>
+        <source>no layout</source>
+        <translation>配置なし</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>記録が長すぎます</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>%1個以下の値</translation>
     </message>
 </context>
 <context>
@@ -5207,6 +5405,11 @@ Examples:
     <message>
         <source>%1   %2   %3   x %4 mm, y %5 mm</source>
         <translation>%1   %2   %3   x %4 mm, y %5 mm</translation>
+    </message>
+    <message>
+        <source>contact #%1 with shear %2, friction %3</source>
+        <extracomment>Of a contact: the force along the surface, and it divided by the force into the surface</extracomment>
+        <translation>接触 #%1、せん断 %2、摩擦 %3</translation>
     </message>
 </context>
 <context>
@@ -5896,6 +6099,37 @@ Examples:
     <message>
         <source>interrupted</source>
         <translation>中断されました</translation>
+    </message>
+</context>
+<context>
+    <name>LimitText</name>
+    <message>
+        <source>joint speed</source>
+        <translation>関節の速度</translation>
+    </message>
+    <message>
+        <source>tip speed</source>
+        <translation>先端の速度</translation>
+    </message>
+    <message>
+        <source>joint limit</source>
+        <translation>関節の可動端</translation>
+    </message>
+    <message>
+        <source>workspace box</source>
+        <translation>先端の可動範囲 (箱)</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>トルク・力</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>the arm lags behind</source>
+        <translation>アームの遅れ</translation>
     </message>
 </context>
 <context>
@@ -7004,6 +7238,18 @@ Examples:
         <source>security = &quot;certificates&quot;, or interface = &quot;lo&quot;</source>
         <translation>security = &quot;certificates&quot;、または interface = &quot;lo&quot;</translation>
     </message>
+    <message>
+        <source>no interface is named, so that each network reaches the site</source>
+        <translation>インターフェイスの指定がないため、どのネットワークからもサイトに届きます</translation>
+    </message>
+    <message>
+        <source>%1 is no tunnel, so that its whole network reaches the site</source>
+        <translation>%1はトンネルではないため、そのネットワーク全体からサイトに届きます</translation>
+    </message>
+    <message>
+        <source>interface: that of a VPN; or security_bind = &quot;any&quot;</source>
+        <translation>interface: VPNのもの。またはsecurity_bind = &quot;any&quot;</translation>
+    </message>
 </context>
 <context>
     <name>OscTrigger</name>
@@ -7143,6 +7389,18 @@ x %4, y %5
     <message>
         <source>Spread of the skin, longest arrow: %1</source>
         <translation>皮膚の広がり、最長の矢印: %1</translation>
+    </message>
+    <message>
+        <source>Shear %1, friction %2</source>
+        <extracomment>Shear is the force along the surface; friction is it divided by the force into the surface</extracomment>
+        <translation>せん断 %1、摩擦 %2</translation>
+    </message>
+</context>
+<context>
+    <name>PadArm</name>
+    <message>
+        <source>the arm has %1 joints, its description %2</source>
+        <translation>アームの関節は %1 個、記述では %2 個です</translation>
     </message>
 </context>
 <context>
@@ -10879,6 +11137,67 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SiteEventText</name>
+    <message>
+        <source>%1: the console %2 is there.</source>
+        <translation>%1：コンソール %2 が接続しました。</translation>
+    </message>
+    <message>
+        <source>%1 cannot listen to the console %2: %3</source>
+        <translation>%1 はコンソール %2 を受信できません：%3</translation>
+    </message>
+    <message>
+        <source>%1: another program named %2 is connected; it is ignored.</source>
+        <translation>%1：%2 という名前の別のプログラムが接続しています。無視されます。</translation>
+    </message>
+    <message>
+        <source>%1 kept a program out: %2</source>
+        <translation>%1 はプログラムを受け入れませんでした：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is in control.</source>
+        <translation>%1：%2 が操作しています。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no longer in control.</source>
+        <translation>%1：%2 は操作を終えました。</translation>
+    </message>
+    <message>
+        <source>%1: STOP is held by %2.</source>
+        <translation>%1：STOP は %2 が保持しています。</translation>
+    </message>
+    <message>
+        <source>%1: %2 withdrew STOP.</source>
+        <translation>%1：%2 が STOP を解除しました。</translation>
+    </message>
+    <message>
+        <source>%1: fault of %2: %3</source>
+        <translation>%1：%2 の異常：%3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is live.</source>
+        <translation>%1：%2 は動作中です。</translation>
+    </message>
+    <message>
+        <source>%1: its recording failed: %2</source>
+        <translation>%1：記録に失敗しました：%2</translation>
+    </message>
+    <message>
+        <source>%1: its keys: %2</source>
+        <translation>%1：その鍵：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a site and what it says</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>a site, a device and what it says</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+</context>
+<context>
     <name>SiteFileText</name>
     <message>
         <source>the device needs an id</source>
@@ -14075,10 +14394,6 @@ Run teleta-site --help for more.
         <translation>runs.csv、cells.csv、figures、sweep.json のフォルダー。中断したスイープはここで続きます</translation>
     </message>
     <message>
-        <source>Runs at the same time; otherwise as many as the machine has cores</source>
-        <translation>同時に行う実行の数。なければマシンのコアの数</translation>
-    </message>
-    <message>
         <source>Throw away what the folder has of an earlier sweep</source>
         <translation>フォルダーにある以前のスイープの結果を捨てる</translation>
     </message>
@@ -14177,6 +14492,14 @@ Run teleta-site --help for more.
     <message>
         <source>needs --slurm or --task</source>
         <translation>--slurm または --task が必要です</translation>
+    </message>
+    <message>
+        <source>Runs at the same time; otherwise as many as the machine has cores, and one of a ladder, which is timed</source>
+        <translation>同時に行う実行の数。なければマシンのコア数、時間を計るラダーでは1つ</translation>
+    </message>
+    <message>
+        <source>%1; asking again (%2 of %3)</source>
+        <translation>%1。もう一度尋ねます（%3回中%2回目）</translation>
     </message>
 </context>
 <context>
@@ -14673,6 +14996,10 @@ Run teleta-site --help for more.
         <source>First frame: taxel, x and y in mm, and its load in %1</source>
         <translation>最初のフレーム: タクセル、xとy (mm)、荷重 (%1)</translation>
     </message>
+    <message>
+        <source>Binary messages, which are left out</source>
+        <translation>除外したバイナリーメッセージ</translation>
+    </message>
 </context>
 <context>
     <name>TaxelsText</name>
@@ -14918,6 +15245,30 @@ Run teleta-site --help for more.
         <source>this mask does not fit the array</source>
         <translation>このマスクはアレイに合いません</translation>
     </message>
+    <message>
+        <source>at most %1 chips</source>
+        <translation>%1個以下のチップ</translation>
+    </message>
+    <message>
+        <source>The sensor has told no values for %1 s: it has none, or they are switched off.</source>
+        <translation>センサーは%1 sの間、値を送っていません。値がないか、オフになっています。</translation>
+    </message>
+    <message>
+        <source>The sensor is another model: %1 instead of %2.</source>
+        <translation>センサーの型が違います: %2ではなく%1です。</translation>
+    </message>
+    <message>
+        <source>The sensor has %1 taxels instead of %2.</source>
+        <translation>センサーのタクセルは%2個ではなく%1個です。</translation>
+    </message>
+    <message>
+        <source>the board sends frames of %1 chips</source>
+        <translation>ボードは%1チップのフレームを送っています</translation>
+    </message>
+    <message>
+        <source>frames of %1 chips, as the file has positions</source>
+        <translation>ファイルの位置の数と同じ%1チップのフレーム</translation>
+    </message>
 </context>
 <context>
     <name>TekscanText</name>
@@ -15016,6 +15367,10 @@ Run teleta-site --help for more.
     <message>
         <source>a number or B</source>
         <translation>数値またはB</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0か1</translation>
     </message>
 </context>
 <context>
@@ -16289,6 +16644,10 @@ Run teleta-site --help for more.
         <source>the file has %1 bytes</source>
         <translation>ファイルが%1バイトあります</translation>
     </message>
+    <message>
+        <source>this cannot be read as a robot (%1)</source>
+        <translation>ロボットとして読めません (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ValidatorText</name>
@@ -16539,6 +16898,62 @@ Run teleta-site --help for more.
     <message>
         <source>the zip archive could not be created</source>
         <translation>zipアーカイブを作成できませんでした</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::arm_servo::ArmServoPanel</name>
+    <message>
+        <source>No servo task is possible: %1.</source>
+        <translation>サーボタスクは行えません: %1。</translation>
+    </message>
+    <message>
+        <source>Hold to move the arm (or Space)</source>
+        <translation>押している間アームが動く (またはスペース)</translation>
+    </message>
+    <message>
+        <source>Hold to rehearse (or Space)</source>
+        <translation>押している間リハーサル (またはスペース)</translation>
+    </message>
+    <message>
+        <source>%1, %2, force %3</source>
+        <comment>a task, whether there is contact</comment>
+        <translation>%1、%2、力 %3</translation>
+    </message>
+    <message>
+        <source>%1. Limits that act: %2</source>
+        <translation>%1。働いている制限: %2</translation>
+    </message>
+    <message>
+        <source>Servo task on the arm</source>
+        <translation>アームのサーボタスク</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Lets the arm do a task by what its pad feels. The first press is a rehearsal on a shadow of the arm, the second one moves the arm. It moves only while you hold the button, or Space.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;パッドの感触に従ってアームにタスクを行わせます。最初の押下はアームの影でのリハーサル、2 回目はアームを動かします。ボタンまたはスペースキーを押している間だけ動きます。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Servo task</source>
+        <translation>サーボタスク</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>タスク(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>力(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Force with which the pad presses</source>
+        <translation>パッドが押す力</translation>
+    </message>
+    <message>
+        <source>Dead-man switch of the servo task</source>
+        <translation>サーボタスクのデッドマンスイッチ</translation>
+    </message>
+    <message>
+        <source>Dead-man switch: the task runs only while this button or Space is held</source>
+        <translation>デッドマンスイッチ: このボタンまたはスペースキーを押している間だけタスクが動きます</translation>
     </message>
 </context>
 <context>
@@ -19795,6 +20210,10 @@ Run teleta-site --help for more.
         <source>The arm is drawn without its meshes: %1</source>
         <translation>アームはメッシュなしで描かれます: %1</translation>
     </message>
+    <message>
+        <source>The arm reports joints that its description does not have: %1.</source>
+        <translation>アームの記述にない関節が報告されています: %1。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LayoutsMenu</name>
@@ -20635,6 +21054,22 @@ Run teleta-site --help for more.
         <source>Arms (*.toml)</source>
         <translation>アーム (*.toml)</translation>
     </message>
+    <message>
+        <source>Hand o&amp;ver to</source>
+        <translation>操作権を渡す相手(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Take over control of the site</source>
+        <translation>サイトの操作権を引き継ぐ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>For supervisors: the other console has 5 s to decline</source>
+        <translation>監督者用：相手のコンソールは 5 秒以内に断れます</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -21040,6 +21475,10 @@ Run teleta-site --help for more.
     <message>
         <source>Closes it again</source>
         <translation>閉じます</translation>
+    </message>
+    <message>
+        <source>They are left out. Compare [joint_names] in the arm&apos;s file.</source>
+        <translation>これらは無視されます。アームのファイルの [joint_names] と比べてください。</translation>
     </message>
 </context>
 <context>
@@ -22431,10 +22870,6 @@ Run teleta-site --help for more.
         <translation>拒否：STOP が作動しています。</translation>
     </message>
     <message>
-        <source>Nobody answered in time, or it was declined.</source>
-        <translation>時間内に応答がないか、断られました。</translation>
-    </message>
-    <message>
         <source>not in control</source>
         <translation>操作権なし</translation>
     </message>
@@ -22473,6 +22908,30 @@ Run teleta-site --help for more.
     <message>
         <source>another program has this console&apos;s name</source>
         <translation>別のプログラムがこのコンソールの名前を使っています</translation>
+    </message>
+    <message>
+        <source>the loop takes %1 s, the limit is %2 s</source>
+        <translation>往復に %1 s かかります。上限は %2 s です</translation>
+    </message>
+    <message>
+        <source>the loop takes longer than %1 s</source>
+        <translation>往復に %1 s より長くかかります</translation>
+    </message>
+    <message>
+        <source>Refused: another program named %1 is connected.</source>
+        <translation>拒否：%1 という名前の別のプログラムが接続しています。</translation>
+    </message>
+    <message>
+        <source>It was declined.</source>
+        <translation>断られました。</translation>
+    </message>
+    <message>
+        <source>It was declined: %1</source>
+        <translation>断られました：%1</translation>
+    </message>
+    <message>
+        <source>Nobody answered in time.</source>
+        <translation>時間内に応答がありませんでした。</translation>
     </message>
 </context>
 <context>
@@ -24300,6 +24759,48 @@ Run teleta-site --help for more.
         <source>Release control</source>
         <translation>操作権を手放す</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a console and who sits there</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>In control: %1</source>
+        <translation>操作中：%1</translation>
+    </message>
+    <message>
+        <source>Viewers: %1</source>
+        <translation>閲覧者：%1</translation>
+    </message>
+    <message>
+        <source>Loop: median %1 ms, 99 %: %2 ms</source>
+        <translation>往復：中央値 %1 ms、99 %：%2 ms</translation>
+    </message>
+    <message>
+        <source>Clock offset: %1 s ± %2 ms</source>
+        <translation>時計のずれ：%1 s ± %2 ms</translation>
+    </message>
+    <message>
+        <source>Lost of %1: %2</source>
+        <translation>%1 の損失：%2</translation>
+    </message>
+    <message>
+        <source>Refused: %1 (%2)</source>
+        <comment>a reason and how often</comment>
+        <translation>拒否：%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Reason (if you decline)</source>
+        <translation>理由 (断る場合)</translation>
+    </message>
+    <message>
+        <source>Reason for declining</source>
+        <translation>断る理由</translation>
+    </message>
+    <message>
+        <source>The other console shows it</source>
+        <translation>相手のコンソールに表示されます</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::AnswerButton</name>
@@ -25630,6 +26131,10 @@ Double-click to type the upper end.</source>
         <source>At the tip: force %1, torque %2</source>
         <translation>先端: 力 %1、トルク %2</translation>
     </message>
+    <message>
+        <source>Speed and effort of %1, as the arm reports them</source>
+        <translation>%1 の速度とトルク・力 (アームの報告値)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -25648,6 +26153,17 @@ Double-click to type the upper end.</source>
     <message>
         <source>Range %1 … %2</source>
         <translation>範囲 %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::LimitLine</name>
+    <message>
+        <source>Active limits: %1.</source>
+        <translation>作用中の制限: %1。</translation>
+    </message>
+    <message>
+        <source>Near a singularity: slower.</source>
+        <translation>特異点の近く：遅くなります。</translation>
     </message>
 </context>
 <context>

@@ -290,6 +290,14 @@
         <source>In pictures and charts</source>
         <translation>图像和图表</translation>
     </message>
+    <message>
+        <source>Ctrl+Alt+C</source>
+        <translation>Ctrl+Alt+C</translation>
+    </message>
+    <message>
+        <source>Release control of the site</source>
+        <translation>释放站点的控制权</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -530,34 +538,6 @@
 <context>
     <name>ArmJogText</name>
     <message>
-        <source>joint speed</source>
-        <translation>关节速度</translation>
-    </message>
-    <message>
-        <source>tip speed</source>
-        <translation>末端速度</translation>
-    </message>
-    <message>
-        <source>joint limit</source>
-        <translation>关节极限</translation>
-    </message>
-    <message>
-        <source>workspace box</source>
-        <translation>末端的活动范围框</translation>
-    </message>
-    <message>
-        <source>effort</source>
-        <translation>effort</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>力</translation>
-    </message>
-    <message>
-        <source>the arm lags behind</source>
-        <translation>机械臂滞后</translation>
-    </message>
-    <message>
         <source>the arm cannot be moved: %1</source>
         <translation>无法移动机械臂：%1</translation>
     </message>
@@ -596,6 +576,97 @@
     <message>
         <source>the motion was cut short: %1</source>
         <translation>运动被中断：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ArmServoTexts</name>
+    <message>
+        <source>Follow a point</source>
+        <translation>跟随一点</translation>
+    </message>
+    <message>
+        <source>Explore an edge</source>
+        <translation>探索边缘</translation>
+    </message>
+    <message>
+        <source>Roll about a point</source>
+        <translation>绕点滚动</translation>
+    </message>
+    <message>
+        <source>Co-manipulation</source>
+        <translation>协同操作</translation>
+    </message>
+    <message>
+        <source>The next press is a rehearsal. Only a shadow of the arm moves, and the arm gets no command.</source>
+        <translation>下一次按下是预演。只有机械臂的影子运动，机械臂不会收到指令。</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: the arm gets no command. Its shadow touches a ball that is assumed in front of the pad.</source>
+        <translation>预演：机械臂不会收到指令。它的影子接触假定位于触觉垫前方的球。</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: the arm gets no command. Its shadow touches an edge that is assumed in front of the pad.</source>
+        <translation>预演：机械臂不会收到指令。它的影子接触假定位于触觉垫前方的边缘。</translation>
+    </message>
+    <message>
+        <source>Rehearsed. The next press MOVES THE ARM.</source>
+        <translation>已预演。下一次按下将移动机械臂。</translation>
+    </message>
+    <message>
+        <source>THE ARM MOVES as long as you hold the switch.</source>
+        <translation>只要您按住开关，机械臂就会运动。</translation>
+    </message>
+    <message>
+        <source>The rehearsal was too short to count.</source>
+        <translation>预演太短，不算数。</translation>
+    </message>
+    <message>
+        <source>Ended: STOP was engaged.</source>
+        <translation>已结束：STOP 被按下。</translation>
+    </message>
+    <message>
+        <source>Ended: the frames of the pad are old.</source>
+        <translation>已结束：触觉垫的帧过旧。</translation>
+    </message>
+    <message>
+        <source>Ended: the joint readings are old.</source>
+        <translation>已结束：关节读数过旧。</translation>
+    </message>
+    <message>
+        <source>Ended: the arm took no commands.</source>
+        <translation>已结束：机械臂不接受指令。</translation>
+    </message>
+    <message>
+        <source>Ended: the arm took no commands: %1.</source>
+        <translation>已结束：机械臂不接受指令：%1。</translation>
+    </message>
+    <message>
+        <source>Ended: the contact was lost, and the search did not find it.</source>
+        <translation>已结束：接触丢失，搜索未能找回。</translation>
+    </message>
+    <message>
+        <source>Ended: nothing was touched within %1.</source>
+        <translation>已结束：%1 内没有接触到任何东西。</translation>
+    </message>
+    <message>
+        <source>Ended: the pad went %1 into what it touches and felt less than half of the force.</source>
+        <translation>已结束：触觉垫压入所接触的物体 %1，感到的力不到一半。</translation>
+    </message>
+    <message>
+        <source>Ended: the shadow could not follow.</source>
+        <translation>已结束：影子无法跟随。</translation>
+    </message>
+    <message>
+        <source>The task is done.</source>
+        <translation>任务已完成。</translation>
+    </message>
+    <message>
+        <source>The arm was moved otherwise: the task is rehearsed again.</source>
+        <translation>机械臂被以其他方式移动：任务需重新预演。</translation>
+    </message>
+    <message>
+        <source>The task was changed: it is rehearsed again.</source>
+        <translation>任务已更改：需重新预演。</translation>
     </message>
 </context>
 <context>
@@ -770,6 +841,46 @@
     <message>
         <source>--frame-axis first or last, or a time_s for each frame</source>
         <translation>--frame-axis first 或 last，或每帧一个 time_s</translation>
+    </message>
+    <message>
+        <source>a frame of %1 has the shape %2 x %3</source>
+        <translation>%1 的一帧形状为 %2 x %3</translation>
+    </message>
+    <message>
+        <source>%1 taxels x 3, as the layout has them</source>
+        <translation>按布局为 %1 个触觉单元 x 3</translation>
+    </message>
+    <message>
+        <source>%1 rows x %2 columns, as the layout has them</source>
+        <translation>按布局为 %1 行 x %2 列</translation>
+    </message>
+    <message>
+        <source>%1 can be a grid of 3 columns, or %2 taxels with x, y and z each</source>
+        <translation>%1 可能是 3 列的网格，也可能是各有 x、y、z 的 %2 个触觉单元</translation>
+    </message>
+    <message>
+        <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>网格用 --rows %1 --columns 3；向量用说明触觉单元位置的文件（--layout FILE.toml）</translation>
+    </message>
+    <message>
+        <source>%1 has %2 numbers</source>
+        <translation>%1有 %2 个数</translation>
+    </message>
+    <message>
+        <source>%1, as the layout has them</source>
+        <translation>按布局为 %1 个</translation>
+    </message>
+    <message>
+        <source>the taxels have places of their own, in positions_m</source>
+        <translation>触觉单元有各自的位置，见 positions_m</translation>
+    </message>
+    <message>
+        <source>the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>说明触觉单元位置的文件（--layout FILE.toml）</translation>
+    </message>
+    <message>
+        <source>a frame of the array has %1 numbers</source>
+        <translation>数组的一帧有 %1 个数</translation>
     </message>
 </context>
 <context>
@@ -1877,6 +1988,21 @@
     </message>
 </context>
 <context>
+    <name>ChannelServo</name>
+    <message>
+        <source>the arm has no pad on a link</source>
+        <translation>机械臂的连杆上没有触觉垫</translation>
+    </message>
+    <message>
+        <source>a recording is played, and nothing can be moved</source>
+        <translation>正在播放记录，什么都不能移动</translation>
+    </message>
+    <message>
+        <source>the pad is not calibrated: its loads are not in N</source>
+        <translation>触觉垫未标定：其载荷不以 N 为单位</translation>
+    </message>
+</context>
+<context>
     <name>ChartText</name>
     <message>
         <source>correct answers</source>
@@ -2755,6 +2881,10 @@ Examples:
         <source>Place, force and identity of each contact of each tactile frame</source>
         <translation>每个触觉帧中各接触的位置、力和标识</translation>
     </message>
+    <message>
+        <source>this is for loads on a grid</source>
+        <translation>此选项用于网格上的载荷</translation>
+    </message>
 </context>
 <context>
     <name>ContourCommand</name>
@@ -3067,6 +3197,30 @@ Examples:
     <message>
         <source>share of the true gains, root mean square of an array; a taxel that is left out counts as it is</source>
         <translation>相对真实增益的比例，整个阵列的均方根；被排除的触觉单元按原值计</translation>
+    </message>
+    <message>
+        <source>Motion of the markers of a gel</source>
+        <translation>凝胶标记点的运动</translation>
+    </message>
+    <message>
+        <source>distance from the way that the marker was drawn to have gone; a marker that is lost counts as at rest</source>
+        <translation>与所绘标记点实际位移的距离；丢失的标记点按静止计</translation>
+    </message>
+    <message>
+        <source>Interval of a threshold from a participant&apos;s answers</source>
+        <translation>由参与者的回答得到的阈值区间</translation>
+    </message>
+    <message>
+        <source>score of the 95 % interval of the threshold&apos;s logarithm: its width, and 40 times how far the true one lies outside of it</source>
+        <translation>阈值对数的 95 % 区间的得分：区间宽度，加上真值超出区间距离的 40 倍</translation>
+    </message>
+    <message>
+        <source>Contacts on the skin of a whole body</source>
+        <translation>全身皮肤上的接触</translation>
+    </message>
+    <message>
+        <source>distance of each body from the nearest contact of its patch, and of each contact from the nearest body; from the patch&apos;s middle where there is none</source>
+        <translation>每个物体到其皮肤片上最近接触的距离，以及每个接触到最近物体的距离；没有时取到皮肤片中央的距离</translation>
     </message>
 </context>
 <context>
@@ -4522,6 +4676,14 @@ Examples:
         <source>at least one row after the header</source>
         <translation>标题行之后至少一行</translation>
     </message>
+    <message>
+        <source>the frames are of vectors, t0_x,t0_y,t0_z</source>
+        <translation>帧是向量：t0_x,t0_y,t0_z</translation>
+    </message>
+    <message>
+        <source>one number a taxel; or the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>每个触觉单元一个数；或说明触觉单元位置的文件（--layout FILE.toml）</translation>
+    </message>
 </context>
 <context>
     <name>FrameImportText</name>
@@ -4644,6 +4806,26 @@ Examples:
         <source>Standard deviation of a taxel&apos;s load at rest in N, for the standard errors of the summit</source>
         <translation>触觉单元静止时载荷的标准差（N），用于峰值位置的标准误差</translation>
     </message>
+    <message>
+        <source>Where the taxels are and what each tells, also off a grid and as vectors: the table [layout] of a device file</source>
+        <translation>触觉单元的位置及其数值，也可不在网格上或为向量：设备文件中的表 [layout]</translation>
+    </message>
+    <message>
+        <source>it says rows, columns and pitch itself</source>
+        <translation>行、列和间距由它自己说明</translation>
+    </message>
+    <message>
+        <source>&apos;untouched&apos; is for loads, but each taxel tells three values</source>
+        <translation>“untouched”用于载荷，但每个触觉单元有三个值</translation>
+    </message>
+    <message>
+        <source>These lines of the file have no effect: %1.</source>
+        <translation>文件中的这些行不起作用：%1。</translation>
+    </message>
+    <message>
+        <source>this is for loads on a grid</source>
+        <translation>此选项用于网格上的载荷</translation>
+    </message>
 </context>
 <context>
     <name>FrameReaderText</name>
@@ -4674,6 +4856,22 @@ Examples:
     <message>
         <source>frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII</source>
         <translation>CSV、npy、npz、HDF5、MAT 或 Tekscan ASCII 格式的帧</translation>
+    </message>
+    <message>
+        <source>the file says itself where its taxels are</source>
+        <translation>文件自己说明了触觉单元的位置</translation>
+    </message>
+    <message>
+        <source>no layout</source>
+        <translation>不给布局</translation>
+    </message>
+    <message>
+        <source>the recording is too long</source>
+        <translation>记录过长</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>至多 %1 个值</translation>
     </message>
 </context>
 <context>
@@ -5207,6 +5405,11 @@ Examples:
     <message>
         <source>%1   %2   %3   x %4 mm, y %5 mm</source>
         <translation>%1   %2   %3   x %4 mm，y %5 mm</translation>
+    </message>
+    <message>
+        <source>contact #%1 with shear %2, friction %3</source>
+        <extracomment>Of a contact: the force along the surface, and it divided by the force into the surface</extracomment>
+        <translation>接触 #%1，剪切 %2，摩擦 %3</translation>
     </message>
 </context>
 <context>
@@ -5896,6 +6099,37 @@ Examples:
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
+    </message>
+</context>
+<context>
+    <name>LimitText</name>
+    <message>
+        <source>joint speed</source>
+        <translation>关节速度</translation>
+    </message>
+    <message>
+        <source>tip speed</source>
+        <translation>末端速度</translation>
+    </message>
+    <message>
+        <source>joint limit</source>
+        <translation>关节极限</translation>
+    </message>
+    <message>
+        <source>workspace box</source>
+        <translation>末端的活动范围框</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>effort</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>the arm lags behind</source>
+        <translation>机械臂滞后</translation>
     </message>
 </context>
 <context>
@@ -7004,6 +7238,18 @@ Examples:
         <source>security = &quot;certificates&quot;, or interface = &quot;lo&quot;</source>
         <translation>security = &quot;certificates&quot;，或 interface = &quot;lo&quot;</translation>
     </message>
+    <message>
+        <source>no interface is named, so that each network reaches the site</source>
+        <translation>未指定接口，因此每个网络都能到达站点</translation>
+    </message>
+    <message>
+        <source>%1 is no tunnel, so that its whole network reaches the site</source>
+        <translation>%1 不是隧道，因此其整个网络都能到达站点</translation>
+    </message>
+    <message>
+        <source>interface: that of a VPN; or security_bind = &quot;any&quot;</source>
+        <translation>interface：VPN 的接口；或 security_bind = &quot;any&quot;</translation>
+    </message>
 </context>
 <context>
     <name>OscTrigger</name>
@@ -7143,6 +7389,18 @@ x %4，y %5
     <message>
         <source>Spread of the skin, longest arrow: %1</source>
         <translation>皮肤张开，最长箭头：%1</translation>
+    </message>
+    <message>
+        <source>Shear %1, friction %2</source>
+        <extracomment>Shear is the force along the surface; friction is it divided by the force into the surface</extracomment>
+        <translation>剪切 %1，摩擦 %2</translation>
+    </message>
+</context>
+<context>
+    <name>PadArm</name>
+    <message>
+        <source>the arm has %1 joints, its description %2</source>
+        <translation>机械臂有 %1 个关节，其描述有 %2 个</translation>
     </message>
 </context>
 <context>
@@ -10879,6 +11137,67 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>SiteEventText</name>
+    <message>
+        <source>%1: the console %2 is there.</source>
+        <translation>%1：控制台 %2 已连接。</translation>
+    </message>
+    <message>
+        <source>%1 cannot listen to the console %2: %3</source>
+        <translation>%1 无法接收控制台 %2：%3</translation>
+    </message>
+    <message>
+        <source>%1: another program named %2 is connected; it is ignored.</source>
+        <translation>%1：另一个名为 %2 的程序已连接；它被忽略。</translation>
+    </message>
+    <message>
+        <source>%1 kept a program out: %2</source>
+        <translation>%1 拒绝了一个程序：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is in control.</source>
+        <translation>%1：%2 正在控制。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no longer in control.</source>
+        <translation>%1：%2 不再控制。</translation>
+    </message>
+    <message>
+        <source>%1: STOP is held by %2.</source>
+        <translation>%1：STOP 由 %2 保持。</translation>
+    </message>
+    <message>
+        <source>%1: %2 withdrew STOP.</source>
+        <translation>%1：%2 解除了 STOP。</translation>
+    </message>
+    <message>
+        <source>%1: fault of %2: %3</source>
+        <translation>%1：%2 故障：%3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is live.</source>
+        <translation>%1：%2 正常。</translation>
+    </message>
+    <message>
+        <source>%1: its recording failed: %2</source>
+        <translation>%1：其记录失败：%2</translation>
+    </message>
+    <message>
+        <source>%1: its keys: %2</source>
+        <translation>%1：其密钥：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a site and what it says</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>a site, a device and what it says</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+</context>
+<context>
     <name>SiteFileText</name>
     <message>
         <source>the device needs an id</source>
@@ -14075,10 +14394,6 @@ Run teleta-site --help for more.
         <translation>存放 runs.csv、cells.csv、figures 和 sweep.json 的文件夹；中断的扫描在其中继续</translation>
     </message>
     <message>
-        <source>Runs at the same time; otherwise as many as the machine has cores</source>
-        <translation>同时进行的运行数；否则与机器的核心数相同</translation>
-    </message>
-    <message>
         <source>Throw away what the folder has of an earlier sweep</source>
         <translation>丢弃文件夹中先前扫描的结果</translation>
     </message>
@@ -14177,6 +14492,14 @@ Run teleta-site --help for more.
     <message>
         <source>needs --slurm or --task</source>
         <translation>需要 --slurm 或 --task</translation>
+    </message>
+    <message>
+        <source>Runs at the same time; otherwise as many as the machine has cores, and one of a ladder, which is timed</source>
+        <translation>同时运行的数目；不指定则与机器的核心数相同，阶梯因要计时则为一个</translation>
+    </message>
+    <message>
+        <source>%1; asking again (%2 of %3)</source>
+        <translation>%1；再次询问（第 %2 次，共 %3 次）</translation>
     </message>
 </context>
 <context>
@@ -14673,6 +14996,10 @@ Run teleta-site --help for more.
         <source>First frame: taxel, x and y in mm, and its load in %1</source>
         <translation>第一帧：触觉单元、x 和 y（mm）以及其载荷（%1）</translation>
     </message>
+    <message>
+        <source>Binary messages, which are left out</source>
+        <translation>被忽略的二进制消息</translation>
+    </message>
 </context>
 <context>
     <name>TaxelsText</name>
@@ -14918,6 +15245,30 @@ Run teleta-site --help for more.
         <source>this mask does not fit the array</source>
         <translation>此掩码与阵列不符</translation>
     </message>
+    <message>
+        <source>at most %1 chips</source>
+        <translation>至多 %1 个芯片</translation>
+    </message>
+    <message>
+        <source>The sensor has told no values for %1 s: it has none, or they are switched off.</source>
+        <translation>传感器已有 %1 s 未给出数值：它没有数值，或数值已关闭。</translation>
+    </message>
+    <message>
+        <source>The sensor is another model: %1 instead of %2.</source>
+        <translation>传感器是另一种型号：%1，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>The sensor has %1 taxels instead of %2.</source>
+        <translation>传感器有 %1 个触觉单元，而不是 %2 个。</translation>
+    </message>
+    <message>
+        <source>the board sends frames of %1 chips</source>
+        <translation>电路板发送的是 %1 个芯片的帧</translation>
+    </message>
+    <message>
+        <source>frames of %1 chips, as the file has positions</source>
+        <translation>与文件中位置数相同的 %1 个芯片的帧</translation>
+    </message>
 </context>
 <context>
     <name>TekscanText</name>
@@ -15016,6 +15367,10 @@ Run teleta-site --help for more.
     <message>
         <source>a number or B</source>
         <translation>数值或 B</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 或 1</translation>
     </message>
 </context>
 <context>
@@ -16289,6 +16644,10 @@ Run teleta-site --help for more.
         <source>the file has %1 bytes</source>
         <translation>文件有 %1 字节</translation>
     </message>
+    <message>
+        <source>this cannot be read as a robot (%1)</source>
+        <translation>无法作为机器人读取（%1）</translation>
+    </message>
 </context>
 <context>
     <name>ValidatorText</name>
@@ -16539,6 +16898,62 @@ Run teleta-site --help for more.
     <message>
         <source>the zip archive could not be created</source>
         <translation>无法创建 zip 压缩包</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::arm_servo::ArmServoPanel</name>
+    <message>
+        <source>No servo task is possible: %1.</source>
+        <translation>无法执行伺服任务：%1。</translation>
+    </message>
+    <message>
+        <source>Hold to move the arm (or Space)</source>
+        <translation>按住以移动机械臂（或空格）</translation>
+    </message>
+    <message>
+        <source>Hold to rehearse (or Space)</source>
+        <translation>按住以预演（或空格）</translation>
+    </message>
+    <message>
+        <source>%1, %2, force %3</source>
+        <comment>a task, whether there is contact</comment>
+        <translation>%1，%2，力 %3</translation>
+    </message>
+    <message>
+        <source>%1. Limits that act: %2</source>
+        <translation>%1。起作用的限制：%2</translation>
+    </message>
+    <message>
+        <source>Servo task on the arm</source>
+        <translation>机械臂的伺服任务</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Lets the arm do a task by what its pad feels. The first press is a rehearsal on a shadow of the arm, the second one moves the arm. It moves only while you hold the button, or Space.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;让机械臂按触觉垫的感觉完成任务。第一次按下是影子上的预演，第二次按下移动机械臂。只有在您按住按钮或空格键时它才运动。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Servo task</source>
+        <translation>伺服任务</translation>
+    </message>
+    <message>
+        <source>&amp;Task</source>
+        <translation>任务(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>力(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Force with which the pad presses</source>
+        <translation>触觉垫按压的力</translation>
+    </message>
+    <message>
+        <source>Dead-man switch of the servo task</source>
+        <translation>伺服任务的使能开关</translation>
+    </message>
+    <message>
+        <source>Dead-man switch: the task runs only while this button or Space is held</source>
+        <translation>使能开关：只有按住此按钮或空格键时任务才运行</translation>
     </message>
 </context>
 <context>
@@ -19795,6 +20210,10 @@ Run teleta-site --help for more.
         <source>The arm is drawn without its meshes: %1</source>
         <translation>机械臂不带网格显示：%1</translation>
     </message>
+    <message>
+        <source>The arm reports joints that its description does not have: %1.</source>
+        <translation>机械臂报告了其描述中没有的关节：%1。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::LayoutsMenu</name>
@@ -20635,6 +21054,22 @@ Run teleta-site --help for more.
         <source>Arms (*.toml)</source>
         <translation>机械臂 (*.toml)</translation>
     </message>
+    <message>
+        <source>Hand o&amp;ver to</source>
+        <translation>移交给(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Take over control of the site</source>
+        <translation>接管站点的控制权(&amp;T)</translation>
+    </message>
+    <message>
+        <source>For supervisors: the other console has 5 s to decline</source>
+        <translation>供监督者使用：对方控制台有 5 秒时间拒绝</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MarkList</name>
@@ -21040,6 +21475,10 @@ Run teleta-site --help for more.
     <message>
         <source>Closes it again</source>
         <translation>将其关闭</translation>
+    </message>
+    <message>
+        <source>They are left out. Compare [joint_names] in the arm&apos;s file.</source>
+        <translation>它们被忽略。请与机械臂文件中的 [joint_names] 比较。</translation>
     </message>
 </context>
 <context>
@@ -22431,10 +22870,6 @@ Run teleta-site --help for more.
         <translation>被拒绝：STOP 已启动。</translation>
     </message>
     <message>
-        <source>Nobody answered in time, or it was declined.</source>
-        <translation>无人及时应答，或已被拒绝。</translation>
-    </message>
-    <message>
         <source>not in control</source>
         <translation>没有控制权</translation>
     </message>
@@ -22473,6 +22908,30 @@ Run teleta-site --help for more.
     <message>
         <source>another program has this console&apos;s name</source>
         <translation>另一程序使用了此控制台的名称</translation>
+    </message>
+    <message>
+        <source>the loop takes %1 s, the limit is %2 s</source>
+        <translation>回路耗时 %1 s，上限为 %2 s</translation>
+    </message>
+    <message>
+        <source>the loop takes longer than %1 s</source>
+        <translation>回路耗时超过 %1 s</translation>
+    </message>
+    <message>
+        <source>Refused: another program named %1 is connected.</source>
+        <translation>被拒绝：另一个名为 %1 的程序已连接。</translation>
+    </message>
+    <message>
+        <source>It was declined.</source>
+        <translation>已被拒绝。</translation>
+    </message>
+    <message>
+        <source>It was declined: %1</source>
+        <translation>已被拒绝：%1</translation>
+    </message>
+    <message>
+        <source>Nobody answered in time.</source>
+        <translation>无人及时应答。</translation>
     </message>
 </context>
 <context>
@@ -24300,6 +24759,48 @@ Run teleta-site --help for more.
         <source>Release control</source>
         <translation>释放控制权</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a console and who sits there</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>In control: %1</source>
+        <translation>控制者：%1</translation>
+    </message>
+    <message>
+        <source>Viewers: %1</source>
+        <translation>查看者：%1</translation>
+    </message>
+    <message>
+        <source>Loop: median %1 ms, 99 %: %2 ms</source>
+        <translation>回路：中位数 %1 ms，99 %：%2 ms</translation>
+    </message>
+    <message>
+        <source>Clock offset: %1 s ± %2 ms</source>
+        <translation>时钟偏移：%1 s ± %2 ms</translation>
+    </message>
+    <message>
+        <source>Lost of %1: %2</source>
+        <translation>%1 丢失：%2</translation>
+    </message>
+    <message>
+        <source>Refused: %1 (%2)</source>
+        <comment>a reason and how often</comment>
+        <translation>被拒绝：%1（%2）</translation>
+    </message>
+    <message>
+        <source>Reason (if you decline)</source>
+        <translation>理由（如果拒绝）</translation>
+    </message>
+    <message>
+        <source>Reason for declining</source>
+        <translation>拒绝的理由</translation>
+    </message>
+    <message>
+        <source>The other console shows it</source>
+        <translation>对方控制台会显示它</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::AnswerButton</name>
@@ -25630,6 +26131,10 @@ Double-click to type the upper end.</source>
         <source>At the tip: force %1, torque %2</source>
         <translation>末端：力 %1，力矩 %2</translation>
     </message>
+    <message>
+        <source>Speed and effort of %1, as the arm reports them</source>
+        <translation>%1 的速度和 effort，由机械臂报告</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -25648,6 +26153,17 @@ Double-click to type the upper end.</source>
     <message>
         <source>Range %1 … %2</source>
         <translation>范围 %1 … %2</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::touch::LimitLine</name>
+    <message>
+        <source>Active limits: %1.</source>
+        <translation>起作用的限制：%1。</translation>
+    </message>
+    <message>
+        <source>Near a singularity: slower.</source>
+        <translation>接近奇异位形：速度降低。</translation>
     </message>
 </context>
 <context>
