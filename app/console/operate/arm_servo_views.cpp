@@ -3,7 +3,7 @@
 
 #include "app/console/operate/joint_views.h"
 #include "backend/core/steady_time.h"
-#include "widgets/arm_servo/arm_servo_panel.h"
+#include "widgets/servo/arm/arm_servo_panel.h"
 
 #include <utility>
 

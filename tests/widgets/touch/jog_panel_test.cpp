@@ -4,8 +4,8 @@
 #include "backend/arm_model/urdf_reader.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
+#include "widgets/base/controls/hold_button.h"
 #include "widgets/touch/jog/drive_sign.h"
-#include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/jog/joint_range.h"
 
@@ -80,7 +80,7 @@ private slots:
     void aDirectionWithoutTheDeadManDoesNothing() {
         Desk desk;
         desk.press(Qt::Key_Q);
-        QTest::mousePress(desk.panel->findChild<HoldButton*>("up1"), Qt::LeftButton);
+        QTest::mousePress(desk.panel->findChild<base::HoldButton*>("up1"), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
     }
@@ -286,7 +286,7 @@ private slots:
     void theDeadManWithoutADirectionDoesNothing() {
         Desk desk;
         desk.press(Qt::Key_Shift);
-        QTest::mousePress(desk.panel->findChild<HoldButton*>("deadMan"), Qt::LeftButton);
+        QTest::mousePress(desk.panel->findChild<base::HoldButton*>("deadMan"), Qt::LeftButton);
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
     }
@@ -304,7 +304,7 @@ private slots:
     void shiftAndAButtonMoveToo() {
         Desk desk;
         desk.panel->setSpeed(100);
-        QTest::mousePress(desk.panel->findChild<HoldButton*>("up2"), Qt::LeftButton, Qt::ShiftModifier);
+        QTest::mousePress(desk.panel->findChild<base::HoldButton*>("up2"), Qt::LeftButton, Qt::ShiftModifier);
         QCOMPARE(desk.last(), (JointVector{0.0, 0.0, 1.4, 0.0}));
         QVERIFY(desk.panel->hasFocus());
         QTest::keyRelease(desk.panel, Qt::Key_Shift);
@@ -313,10 +313,10 @@ private slots:
 
     void theButtonOnTheScreenIsADeadManForTheKeys() {
         Desk desk;
-        QTest::mousePress(desk.panel->findChild<HoldButton*>("deadMan"), Qt::LeftButton);
+        QTest::mousePress(desk.panel->findChild<base::HoldButton*>("deadMan"), Qt::LeftButton);
         desk.press(Qt::Key_Q);
         QVERIFY(desk.panel->isMoving());
-        QTest::mouseRelease(desk.panel->findChild<HoldButton*>("deadMan"), Qt::LeftButton);
+        QTest::mouseRelease(desk.panel->findChild<base::HoldButton*>("deadMan"), Qt::LeftButton);
         QVERIFY(desk.sentOneZeroAtTheEnd());
     }
 
@@ -390,7 +390,7 @@ private slots:
 
     void aMouseThatLeavesTheButtonStopsAndItsReturnMovesNothing() {
         Desk desk;
-        HoldButton* button = desk.panel->findChild<HoldButton*>("up0");
+        base::HoldButton* button = desk.panel->findChild<base::HoldButton*>("up0");
         QTest::mousePress(button, Qt::LeftButton, Qt::ShiftModifier, button->rect().center());
         QVERIFY(desk.panel->isMoving());
         const auto dragTo = [&](const QPoint& point) {
@@ -410,7 +410,7 @@ private slots:
         desk.panel->setStopEngaged(true);
         QVERIFY(desk.sentOneZeroAtTheEnd());
         QVERIFY(desk.panel->refusal().contains("STOP"));
-        QVERIFY(!desk.panel->findChild<HoldButton*>("deadMan")->isEnabled());
+        QVERIFY(!desk.panel->findChild<base::HoldButton*>("deadMan")->isEnabled());
         desk.move();
         QVERIFY(!desk.panel->isMoving());
         desk.panel->setStopEngaged(false);
@@ -424,7 +424,7 @@ private slots:
         desk.panel->setArm(std::nullopt);
         QVERIFY(desk.sentOneZeroAtTheEnd());
         QVERIFY(desk.panel->refusal().contains("No arm"));
-        QVERIFY(!desk.panel->findChild<HoldButton*>("up0")->isEnabled());
+        QVERIFY(!desk.panel->findChild<base::HoldButton*>("up0")->isEnabled());
         desk.move();
         QVERIFY(!desk.panel->isMoving());
     }
@@ -443,7 +443,7 @@ private slots:
         QVERIFY(!desk.panel->isMoving());
         QCOMPARE(desk.requests.size(), 0);
         desk.panel->setArm(test::sampleArm());
-        QVERIFY(desk.panel->findChild<HoldButton*>("up0")->isEnabled());
+        QVERIFY(desk.panel->findChild<base::HoldButton*>("up0")->isEnabled());
     }
 
     void anArmOfSevenJointsHasButtonsAndKeysForEach() {
@@ -455,7 +455,7 @@ private slots:
         desk.panel->setArm(arm);
         QVERIFY2(desk.panel->mode() == JogPanel::Mode::joints, "its tip cannot be moved");
         QVERIFY(desk.panel->findChild<JointRange*>("range6")->isVisible());
-        QVERIFY(desk.panel->findChild<HoldButton*>("up6")->isVisible());
+        QVERIFY(desk.panel->findChild<base::HoldButton*>("up6")->isVisible());
         desk.press(Qt::Key_Shift);
         desk.press(Qt::Key_U, Qt::ShiftModifier);
         QCOMPARE(desk.last(), (JointVector{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.2}));
@@ -463,13 +463,13 @@ private slots:
         QCOMPARE(desk.last(), JointVector::zeros(7));
         desk.panel->setArm(test::sampleArm());
         QVERIFY(!desk.panel->findChild<JointRange*>("range6")->isVisible());
-        QVERIFY(!desk.panel->findChild<HoldButton*>("up6")->isVisible());
+        QVERIFY(!desk.panel->findChild<base::HoldButton*>("up6")->isVisible());
     }
 
     void theTipMovesAlongTheAxesOfTheBase() {
         Desk desk;
         desk.panel->setMode(JogPanel::Mode::tip);
-        QVERIFY(!desk.panel->findChild<HoldButton*>("up3")->isVisible());
+        QVERIFY(!desk.panel->findChild<base::HoldButton*>("up3")->isVisible());
         desk.press(Qt::Key_Shift);
         desk.press(Qt::Key_E, Qt::ShiftModifier); // z
         QVERIFY(desk.panel->isMoving());

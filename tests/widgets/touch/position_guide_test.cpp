@@ -2,7 +2,7 @@
 #include "backend/arm/jog_rates.h"
 #include "tests/widgets/test_registry.h"
 #include "tests/widgets/touch/sample_arm.h"
-#include "widgets/touch/jog/hold_button.h"
+#include "widgets/base/controls/hold_button.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/jog/position_guide.h"
 
@@ -342,7 +342,7 @@ private slots:
         Follower arm;
         const Vector3d there_m = arm.leadByMouse(0.0);
         QTest::keyClick(&arm.panel, Qt::Key_D);
-        QTest::mouseClick(arm.panel.findChild<HoldButton*>("up0"), Qt::LeftButton);
+        QTest::mouseClick(arm.panel.findChild<base::HoldButton*>("up0"), Qt::LeftButton);
         arm.look({{0, 0, 0}, true, false}, 50);
         QVERIFY(arm.tip() == there_m);
     }
@@ -384,7 +384,7 @@ private slots:
 
     void theTextsTellWhatEndsTheMotion() {
         Follower arm;
-        const auto tip = [&] { return arm.panel.findChild<HoldButton*>("up0")->toolTip(); };
+        const auto tip = [&] { return arm.panel.findChild<base::HoldButton*>("up0")->toolTip(); };
         QVERIFY2(tip().contains("step"), qPrintable(tip()));
         QVERIFY(!arm.panel.whatsThis().contains("either"));
         arm.panel.setWay(JogPanel::Way::velocity);

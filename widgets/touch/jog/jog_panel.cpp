@@ -4,10 +4,10 @@
 #include "backend/arm/jog_rates.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/tip_motion.h"
+#include "widgets/base/controls/hold_button.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/jog/drive_sign.h"
-#include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_keys.h"
 #include "widgets/touch/jog/joint_range.h"
 #include "widgets/touch/jog/joint_told.h"
@@ -57,8 +57,8 @@ JogPanel::JogPanel(QWidget* parent)
     , m_speed(new QSlider(Qt::Horizontal, this))
     , m_speedLabel(new QLabel(this))
     , m_speedText(new QLabel(this))
-    , m_deadMan(new HoldButton(this))
-    , m_clutch(new HoldButton(this))
+    , m_deadMan(new base::HoldButton(this))
+    , m_clutch(new base::HoldButton(this))
     , m_grid(new QGridLayout) {
     setFocusPolicy(Qt::StrongFocus);
     m_run->setObjectName(QStringLiteral("run"));
@@ -127,8 +127,8 @@ JogPanel::JogPanel(QWidget* parent)
         if (isMoving())
             emit jogRequested(m_rate);
     });
-    for (HoldButton* button : {m_deadMan, m_clutch})
-        connect(button, &HoldButton::heldChanged, this, [this] {
+    for (base::HoldButton* button : {m_deadMan, m_clutch})
+        connect(button, &base::HoldButton::heldChanged, this, [this] {
             setFocus(Qt::MouseFocusReason);
             take();
         });
@@ -175,10 +175,10 @@ void JogPanel::addRows() {
         added.told->setObjectName(QStringLiteral("told%1").arg(row));
         m_grid->addWidget(added.told, row, 4);
         for (const int side : {0, 1}) {
-            auto* button = new HoldButton(this);
+            auto* button = new base::HoldButton(this);
             button->setObjectName((side == 1 ? QStringLiteral("up%1") : QStringLiteral("down%1")).arg(row));
             button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
-            connect(button, &HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
+            connect(button, &base::HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
             added.buttons[static_cast<std::size_t>(side)] = button;
             m_grid->addWidget(button, row, 2 + side);
         }
@@ -196,7 +196,7 @@ std::size_t JogPanel::axes() const {
     return m_mode == Mode::joints ? joints() : kTipKeys.size();
 }
 
-HoldButton* JogPanel::directionButton(std::size_t axis, bool up) const {
+base::HoldButton* JogPanel::directionButton(std::size_t axis, bool up) const {
     return m_rows[axis].buttons[up ? 1 : 0];
 }
 
@@ -235,7 +235,7 @@ void JogPanel::enableParts() {
         row.told->setVisible(!tip && axis < joints() && !row.told->isEmpty());
         row.place->setVisible(tip && axis < axes());
         row.range->setEnabled(m_arm.has_value());
-        for (HoldButton* button : row.buttons) {
+        for (base::HoldButton* button : row.buttons) {
             button->setEnabled(able);
             button->setVisible(axis < axes());
         }
@@ -468,7 +468,7 @@ void JogPanel::releaseAll() {
     m_deadMan->letGo();
     m_clutch->letGo();
     for (const Row& row : m_rows)
-        for (HoldButton* button : row.buttons)
+        for (base::HoldButton* button : row.buttons)
             button->letGo();
     take();
 }

@@ -27,6 +27,10 @@ namespace teleta::arm_model {
 class SerialChain;
 }
 
+namespace teleta::base {
+class HoldButton;
+}
+
 namespace teleta::touch {
 
 /// The motion that a hand on a 3D mouse asks for.
@@ -38,7 +42,6 @@ struct HandMotion {
 };
 
 class DriveSign;
-class HoldButton;
 class JointRange;
 class JointTold;
 class LimitLine;
@@ -132,8 +135,8 @@ private:
         QLabel* name;
         JointRange* range;
         JointTold* told;
-        QLabel* place;                      ///< of the tip along this axis, instead of the range
-        std::array<HoldButton*, 2> buttons; ///< 0 down, 1 up
+        QLabel* place;                            ///< of the tip along this axis, instead of the range
+        std::array<base::HoldButton*, 2> buttons; ///< 0 down, 1 up
     };
     void showHint();
     void showTip();
@@ -164,7 +167,7 @@ private:
     [[nodiscard]] std::size_t axes() const;
     [[nodiscard]] core::JointVector noRate() const { return core::JointVector::zeros(joints()); }
     /// up: towards larger values.
-    [[nodiscard]] HoldButton* directionButton(std::size_t axis, bool up) const;
+    [[nodiscard]] base::HoldButton* directionButton(std::size_t axis, bool up) const;
     /// As many as the arm needs.
     void addRows();
     [[nodiscard]] QString jointName(std::size_t joint) const;
@@ -208,8 +211,8 @@ private:
     QSlider* m_speed;
     QLabel* m_speedLabel;
     QLabel* m_speedText;
-    HoldButton* m_deadMan;
-    HoldButton* m_clutch;
+    base::HoldButton* m_deadMan;
+    base::HoldButton* m_clutch;
     QGridLayout* m_grid;
     std::vector<Row> m_rows;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the jog panel says.
 #include "backend/arm_model/serial_chain.h"
+#include "widgets/base/controls/hold_button.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
-#include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_keys.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/touch/jog/joint_range.h"
@@ -85,7 +85,7 @@ void JogPanel::retranslate() {
         const QString name = tip ? tr("tip along %1").arg(QChar(kAxes[axis])) : joint;
         const std::optional<KeyPair> keys = keysOf(tip, axis);
         for (const bool up : {false, true}) {
-            HoldButton* button = directionButton(axis, up);
+            base::HoldButton* button = directionButton(axis, up);
             const QString sign = up ? QStringLiteral("+") : QString(QChar(0x2212));
             button->setText(tip ? QChar(kAxes[axis]) + sign : sign);
             button->setAccessibleName(up ? tr("%1 up").arg(name) : tr("%1 down").arg(name));

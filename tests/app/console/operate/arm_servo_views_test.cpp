@@ -7,7 +7,7 @@
 #include "tests/backend/arm_servo/servo_bench.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 #include "tests/backend/pipeline/scripted_source.h"
-#include "widgets/arm_servo/arm_servo_panel.h"
+#include "widgets/servo/arm/arm_servo_panel.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/view3d/scene3d_view.h"
 

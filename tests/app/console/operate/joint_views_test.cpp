@@ -12,8 +12,8 @@
 #include "tests/backend/pipeline/pad_on_arm.h"
 #include "tests/backend/pipeline/scripted_arm_source.h"
 #include "tests/backend/pipeline/scripted_source.h"
+#include "widgets/base/controls/hold_button.h"
 #include "widgets/charts/joint_chart_view.h"
-#include "widgets/touch/jog/hold_button.h"
 #include "widgets/touch/jog/jog_panel.h"
 #include "widgets/view3d/scene3d_view.h"
 

@@ -3,7 +3,7 @@
 
 #include <QPushButton>
 
-namespace teleta::touch {
+namespace teleta::base {
 
 /// A button that counts only while it is held: it lets go when the mouse is released or leaves it, and when
 /// it is hidden or disabled. Coming back with the mouse still pressed does not hold it again. It takes no
@@ -31,4 +31,4 @@ private:
     bool m_held = false;
 };
 
-} // namespace teleta::touch
+} // namespace teleta::base

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/arm_servo/arm_servo_panel.h"
+#include "widgets/servo/arm/arm_servo_panel.h"
 
-#include "widgets/arm_servo/arm_servo_texts.h"
+#include "widgets/base/controls/hold_button.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/servo/arm/arm_servo_texts.h"
 #include "widgets/servo/servo_texts.h"
-#include "widgets/touch/jog/hold_button.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -33,7 +33,7 @@ ArmServoPanel::ArmServoPanel(QWidget* parent)
     , m_task(new QComboBox(this))
     , m_force(new QDoubleSpinBox(this))
     , m_form(new QFormLayout)
-    , m_button(new touch::HoldButton(this))
+    , m_button(new base::HoldButton(this))
     , m_stage(new QLabel(this))
     , m_what(new QLabel(this))
     , m_ending(new QLabel(this)) {
@@ -71,7 +71,7 @@ ArmServoPanel::ArmServoPanel(QWidget* parent)
     layout->addWidget(m_what);
     layout->addWidget(m_ending);
 
-    connect(m_button, &touch::HoldButton::heldChanged, this, [this](bool held, Qt::KeyboardModifiers) {
+    connect(m_button, &base::HoldButton::heldChanged, this, [this](bool held, Qt::KeyboardModifiers) {
         if (held)
             setFocus(Qt::MouseFocusReason);
         take();

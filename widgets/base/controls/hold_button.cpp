@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/touch/jog/hold_button.h"
+#include "widgets/base/controls/hold_button.h"
 
 #include <QEvent>
 #include <QMouseEvent>
 
-namespace teleta::touch {
+namespace teleta::base {
 
 HoldButton::HoldButton(QWidget* parent)
     : QPushButton(parent) {
@@ -50,4 +50,4 @@ void HoldButton::changeEvent(QEvent* event) {
     QPushButton::changeEvent(event);
 }
 
-} // namespace teleta::touch
+} // namespace teleta::base

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/arm_servo/arm_servo_texts.h"
+#include "widgets/servo/arm/arm_servo_texts.h"
 
 #include "widgets/base/numbers/quantity_text.h"
 

@@ -11,7 +11,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 
-namespace teleta::touch {
+namespace teleta::base {
 class HoldButton;
 }
 
@@ -55,7 +55,7 @@ private:
     QComboBox* m_task;
     QDoubleSpinBox* m_force;
     QFormLayout* m_form;
-    touch::HoldButton* m_button;
+    base::HoldButton* m_button;
     QLabel* m_stage;
     QLabel* m_what;
     QLabel* m_ending;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/backend/arm_servo/servo_bench.h"
 #include "tests/widgets/test_registry.h"
-#include "widgets/arm_servo/arm_servo_panel.h"
-#include "widgets/touch/jog/hold_button.h"
+#include "widgets/base/controls/hold_button.h"
+#include "widgets/servo/arm/arm_servo_panel.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -29,8 +29,8 @@ struct Window {
         (void)QTest::qWaitForWindowActive(&window);
         panel->setFocus();
     }
-    [[nodiscard]] touch::HoldButton* button() const {
-        return panel->findChild<touch::HoldButton*>("armServoHold");
+    [[nodiscard]] base::HoldButton* button() const {
+        return panel->findChild<base::HoldButton*>("armServoHold");
     }
     [[nodiscard]] QString text(const char* name) const { return panel->findChild<QLabel*>(name)->text(); }
 
