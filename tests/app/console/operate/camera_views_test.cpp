@@ -3,6 +3,7 @@
 #include "app/console/operate/camera_views.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/sources/camera_dialog.h"
+#include "app/console/start/start_page.h"
 #include "devices/simulated/simulated_camera_device.h"
 #include "tests/app/console/operate/operate_bench.h"
 #include "tests/support/form_labels.h"
