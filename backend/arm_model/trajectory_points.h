@@ -30,16 +30,4 @@ inline constexpr double kFirstPoint_s = 0.04;
                                                               const core::JointVector& rate,
                                                               const core::JointVector& deceleration);
 
-/// The two points of an arm that brakes already, from where it is commanded to where it rests:
-///   at t:  q_c + v t - sign(v) a t^2 / 2,  velocity v - sign(v) a t;  from t = |v| / a on at rest
-///   point 1 at T / 2, point 2 at T;  T = max |v_j| / a_j, at least kFirstPoint_s
-/// So a controller that gets no further command rests as soon as the arm can. The same arguments. Thread: any
-/// (pure).
-[[nodiscard]] std::array<TrajectoryPoint, 2> brakingPoints(const core::JointVector& commanded,
-                                                           const core::JointVector& rate,
-                                                           const core::JointVector& deceleration);
-
-/// How long an arm takes to rest from these rates: max |v_j| / a_j.
-[[nodiscard]] double brakingTime_s(const core::JointVector& rate, const core::JointVector& deceleration);
-
 } // namespace teleta::arm_model

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/ros/arm_commander.h"
 
-#include "backend/core/steady_time.h"
 #include "backend/ros/topic_names.h"
 #include "devices/ros/trajectory_message.h"
 #include "devices/ros/trajectory_mover.h"
@@ -17,9 +16,6 @@
 namespace teleta::ros_arm {
 
 namespace {
-
-/// A brake that ends so much sooner is told.
-constexpr std::int64_t kSooner_ns = 2'000'000;
 
 /// The default of MoveIt Servo's incoming_command_timeout.
 constexpr double kServoTimeout_s = 0.1;
@@ -37,25 +33,13 @@ public:
         : m_writer(std::move(writer))
         , m_message(std::move(names)) {}
     [[nodiscard]] bool send(const MotionCommand& command) override {
-        // The last points of a brake would only delay the rest to which those before them lead.
-        const auto rest_ns =
-            core::steadyNow_ns() + static_cast<std::int64_t>(1e9 * command.points.back().time_s);
-        if (command.braking && m_brakes && rest_ns > m_rest_ns - kSooner_ns &&
-            command.points.back().time_s <= arm_model::kFirstPoint_s)
-            return true;
-        if (!m_writer.write(m_message.fill(command.points)))
-            return false;
-        m_brakes = command.braking;
-        m_rest_ns = rest_ns;
-        return true;
+        return m_writer.write(m_message.fill(command.points));
     }
     [[nodiscard]] const dds::AnyWriter& writer() const override { return m_writer; }
 
 private:
     dds::Writer<ros::JointTrajectory> m_writer;
     TrajectoryMessage m_message;
-    bool m_brakes = false;      ///< the controller was told to
-    std::int64_t m_rest_ns = 0; ///< when it rests then
 };
 
 /// Rates for MoveIt Servo, which halts the arm by itself when no further one comes. It compares the stamps

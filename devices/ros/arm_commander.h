@@ -22,7 +22,6 @@ struct MotionCommand {
     std::array<arm_model::TrajectoryPoint, 2> points;
     core::JointVector commanded; ///< q_c, rad or m
     core::JointVector rate;      ///< with which q_c moves, rad/s or m/s
-    bool braking = false;        ///< the points are arm_model::brakingPoints()
 };
 
 /// What is known where no motion is commanded.

@@ -262,7 +262,7 @@ void RosArm::step(std::int64_t now_ns) {
     const MoverState& mover = m_mover.state();
     bool sent = true;
     if (points) {
-        sent = m_ends.commander->send({*points, mover.commanded, mover.rate, mover.braking});
+        sent = m_ends.commander->send({*points, mover.commanded, mover.rate});
     } else {
         MotionPause pause{.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns), .alone = !m_otherWriter};
         if (joints && mover.fault && mover.fault->kind == ArmFaultKind::notFollowing)

@@ -138,17 +138,15 @@ std::optional<std::array<arm_model::TrajectoryPoint, 2>> TrajectoryMover::step(c
         return std::nullopt;
     m_moving = movesNow;
     m_moved_ns = input.now_ns;
-    m_state.braking = !pressed;
-    return points(!pressed, input.stopped);
+    return points(input.stopped);
 }
 
-std::array<arm_model::TrajectoryPoint, 2> TrajectoryMover::points(bool braking, bool stopped) const {
+std::array<arm_model::TrajectoryPoint, 2> TrajectoryMover::points(bool stopped) const {
     const arm_model::MotionLimits& limits = m_governor.limits();
     core::JointVector deceleration = core::JointVector::zeros(m_chain->joints());
     std::ranges::fill(deceleration,
                       stopped ? limits.stopDeceleration_radPerS2 : limits.deceleration_radPerS2);
-    return braking ? arm_model::brakingPoints(m_state.commanded, m_state.rate, deceleration)
-                   : arm_model::trajectoryPoints(m_state.commanded, m_state.rate, deceleration);
+    return arm_model::trajectoryPoints(m_state.commanded, m_state.rate, deceleration);
 }
 
 } // namespace teleta::ros_arm

@@ -34,7 +34,6 @@ struct MoverState {
     std::uint32_t flags = 0;       ///< arm_model::MotionFlag: limits that act
     core::JointVector commanded;   ///< q_c, rad or m; empty before the arm was seen
     core::JointVector rate;        ///< with which q_c moves
-    bool braking = false;          ///< the switch is not held: the points are arm_model::brakingPoints()
     std::optional<ArmFault> fault; ///< until its cause is gone and the switch was let go
     bool needsRelease = true;      ///< the dead-man switch has to be let go before the arm moves
     bool ignoresPress = false;     ///< it is held, and has not been let go since the arm was held
@@ -80,7 +79,7 @@ private:
     [[nodiscard]] bool isPressed(std::int64_t now_ns) const;
     [[nodiscard]] bool active(std::int64_t now_ns) const;
     [[nodiscard]] bool mayMove(const MoverInput& input, bool late);
-    [[nodiscard]] std::array<arm_model::TrajectoryPoint, 2> points(bool braking, bool stopped) const;
+    [[nodiscard]] std::array<arm_model::TrajectoryPoint, 2> points(bool stopped) const;
 
     std::shared_ptr<const arm_model::SerialChain> m_chain;
     std::int64_t m_period_ns;

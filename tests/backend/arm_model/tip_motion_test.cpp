@@ -124,23 +124,6 @@ TEST(TrajectoryPoints, endAtRestWhereBrakingEnds) {
     EXPECT_EQ(points[1].velocity, core::JointVector::zeros(2));
 }
 
-/// Both joints brake with 3 rad/s2 from now on: the first one for 100 ms, the second one for 25 ms.
-TEST(TrajectoryPoints, anArmThatBrakesRestsAsSoonAsItCan) {
-    const auto points = arm_model::brakingPoints({0.5, -0.2}, {0.3, -0.075}, {3.0, 3.0});
-    EXPECT_DOUBLE_EQ(points[0].time_s, 0.05);
-    EXPECT_DOUBLE_EQ(points[0].position[0], 0.5 + 0.3 * 0.05 - 1.5 * 0.05 * 0.05);
-    EXPECT_DOUBLE_EQ(points[0].velocity[0], 0.15);
-    EXPECT_DOUBLE_EQ(points[0].position[1], -0.2 - 0.075 * 0.075 / 6.0);
-    EXPECT_EQ(points[0].velocity[1], 0.0);
-    EXPECT_DOUBLE_EQ(points[1].time_s, 0.1);
-    EXPECT_DOUBLE_EQ(points[1].position[0], 0.5 + 0.3 * 0.3 / 6.0);
-    EXPECT_EQ(points[1].position[1], points[0].position[1]);
-    EXPECT_EQ(points[1].velocity, core::JointVector::zeros(2));
-    // No controller takes points that follow each other faster than its own cycles.
-    EXPECT_DOUBLE_EQ(arm_model::brakingPoints({0.5, -0.2}, {0.003, 0.0}, {3.0, 3.0})[1].time_s, 0.04);
-    EXPECT_DOUBLE_EQ(arm_model::brakingPoints({0.5, -0.2}, {0.0, 0.0}, {3.0, 3.0})[1].time_s, 0.04);
-}
-
 TEST(TrajectoryPoints, timesRiseWhenNothingMoves) {
     const auto points = arm_model::trajectoryPoints({0.5, -0.2}, core::JointVector::zeros(2), {3.0, 3.0});
     EXPECT_GT(points[1].time_s, points[0].time_s);
