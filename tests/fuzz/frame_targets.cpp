@@ -30,6 +30,17 @@ bool readsFrames(const std::string& path, frames::FrameRequest request) {
     return true;
 }
 
+/// A frame with three numbers a row is taken for a grid when somebody says so. With times of its own, or at a
+/// rate that is given.
+bool readsThreeColumns(const std::string& path) {
+    frames::FrameRequest request;
+    request.columns = 3;
+    const bool isRead = readsFrames(path, request);
+    request.rate_Hz = 100.0;
+    request.axis = frames::FrameAxis::first;
+    return readsFrames(path, request) || isRead;
+}
+
 } // namespace
 
 bool frameNumpy(Bytes bytes) {
@@ -39,10 +50,11 @@ bool frameNumpy(Bytes bytes) {
         return false;
     const MemoryFile file(bytes);
     frames::FrameRequest request;
-    const bool isRead = readsFrames(file.path(), request);
+    bool isRead = readsFrames(file.path(), request);
     request.rate_Hz = 100.0;
     request.axis = frames::FrameAxis::last;
-    return readsFrames(file.path(), request) || isRead;
+    isRead = readsFrames(file.path(), request) || isRead;
+    return readsThreeColumns(file.path()) || isRead;
 }
 
 bool frameArrays(Bytes bytes) {
@@ -58,7 +70,7 @@ bool frameArrays(Bytes bytes) {
     request.rate_Hz = 100.0;
     request.axis = frames::FrameAxis::first;
     const bool isRead = readsFrames(path, request);
-    return readsFrames(path, {}) || isRead;
+    return readsFrames(path, {}) || readsThreeColumns(path) || isRead;
 }
 
 bool frameTekscan(Bytes bytes) {

@@ -291,7 +291,11 @@ TEST_F(Failures, theArmRestsWhateverFails) {
              },
          .ends = after(2s, [] {}),
          .mode = Mode::free,
-         .before = [this] { m_second = join("console2"); }},
+         .before =
+             [this] {
+                 m_second = join("console2");
+                 std::this_thread::sleep_for(500ms); // the site knows it
+             }},
         {"console killed, another one presses without control", kWay_s + kLease_s + kPoints_s,
          ofConsole(SIGKILL), [this] { pressWithoutControl(); }, false, Mode::free},
         {"view of the console frozen", kWay_s + 0.2 + kBraking_s, [this] { m_console->say("freeze"); }},
