@@ -351,9 +351,9 @@ std::optional<std::string> ControlArbiter::declinedFor(const std::string& consol
 }
 
 bool ControlArbiter::isNameTaken(const std::string& console, const BootName& boot,
-                                 std::int64_t now_ns) const {
+                                 std::int64_t since_ns) const {
     const auto found = m_consoles.find(console);
-    return found != m_consoles.end() && found->second.boot != boot && alive(console, now_ns);
+    return found != m_consoles.end() && found->second.boot != boot && found->second.seen_ns > since_ns;
 }
 
 } // namespace teleta::site

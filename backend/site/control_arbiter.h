@@ -151,9 +151,10 @@ public:
     /// Why another console declined what was asked with this request, empty without a reason; nothing: it was
     /// not declined.
     [[nodiscard]] std::optional<std::string> declinedFor(const std::string& console, std::uint64_t id) const;
-    /// Another program of that name is alive: this one is answered noSuchConsole whatever it asks.
+    /// Another program of that name has told its presence since then: this one is answered noSuchConsole
+    /// whatever it asks. One that has just ended, or was killed, does not tell it any more.
     [[nodiscard]] bool isNameTaken(const std::string& console, const BootName& boot,
-                                   std::int64_t now_ns) const;
+                                   std::int64_t since_ns) const;
     [[nodiscard]] std::uint64_t accepted() const { return m_accepted; }
     [[nodiscard]] std::uint64_t refused(CommandRefusal why) const {
         return m_refused[static_cast<std::size_t>(why)];

@@ -28,6 +28,7 @@ struct ConsoleEnds {
     /// Its last requests, for the state that answers them.
     struct Request {
         std::uint64_t id = 0;
+        std::int64_t first_ns = 0;                   ///< when it came first
         std::int64_t seen_ns = 0;                    ///< when it came last
         std::optional<site::RequestAnswer> answer{}; ///< empty: the arbiter knows it
     };

@@ -300,7 +300,7 @@ void SiteControl::take(ConsoleEnds& console, const ros::ControlRequest& request,
     if (known == console.requests.end()) {
         if (console.requests.size() == kMostResults)
             console.requests.pop_front();
-        console.requests.push_back({.id = request.request});
+        console.requests.push_back({.id = request.request, .first_ns = now_ns});
         known = std::prev(console.requests.end());
     }
     known->seen_ns = now_ns;
@@ -313,7 +313,7 @@ void SiteControl::take(ConsoleEnds& console, const ros::ControlRequest& request,
         const RequestAnswer answer = m_arbiter.request(
             console.name, boot, request.request, static_cast<RequestKind>(request.kind), target, now_ns);
         // The arbiter keeps no answers for a second program of that name.
-        if (m_arbiter.isNameTaken(console.name, boot, now_ns))
+        if (m_arbiter.isNameTaken(console.name, boot, known->first_ns))
             known->answer = answer;
         return;
     }

@@ -85,7 +85,7 @@ TEST_F(TradeoffCommand, printsOneDocument) {
 TEST_F(TradeoffCommand, listsItsLadders) {
     const ProgramResult list = run({"tradeoff", "--list", "--json"});
     ASSERT_EQ(list.exitCode, 0) << list.err;
-    EXPECT_EQ(ordered_json::parse(list.out).size(), 10U);
+    EXPECT_EQ(ordered_json::parse(list.out).size(), 13U);
     for (const char* name :
          {"contact-flow", "camera-calibration", "undistortion", "contour", "stiffness", "tactile-features",
           "taxel-gains", "simulation-step", "scene-effects", "statistics"})

@@ -197,14 +197,15 @@ TEST(ControlArbiter, whoDeclinesMaySayWhy) {
 
 TEST(ControlArbiter, aSecondProgramOfANameIsKnown) {
     Site site;
-    EXPECT_FALSE(site.arbiter.isNameTaken("one", boot(1), site.now_ns));
-    EXPECT_TRUE(site.arbiter.isNameTaken("one", boot(9), site.now_ns));
-    EXPECT_FALSE(site.arbiter.isNameTaken("nobody", boot(9), site.now_ns));
+    const std::int64_t asked_ns = site.now_ns;
     EXPECT_EQ(site.arbiter.request("one", boot(9), 7, RequestKind::request, {}, site.now_ns),
               RequestAnswer::noSuchConsole);
-    // The first one has vanished.
-    site.pass(2 * kSecond);
-    EXPECT_FALSE(site.arbiter.isNameTaken("one", boot(9), site.now_ns));
+    EXPECT_FALSE(site.arbiter.isNameTaken("one", boot(9), asked_ns)) << "the first one may have been killed";
+    site.now_ns += 100 * kMs;
+    site.arbiter.presence("one", {boot(1), false, false}, site.now_ns);
+    EXPECT_TRUE(site.arbiter.isNameTaken("one", boot(9), asked_ns));
+    EXPECT_FALSE(site.arbiter.isNameTaken("one", boot(1), asked_ns));
+    EXPECT_FALSE(site.arbiter.isNameTaken("nobody", boot(9), asked_ns));
 }
 
 TEST(ControlArbiter, anOfferThatIsDeclinedOrForgottenChangesNothingButThePress) {

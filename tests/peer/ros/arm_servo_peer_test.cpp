@@ -145,7 +145,8 @@ TEST_F(ArmServoPeer, aSilentPadAndStopEndTheMotionAndTheNextPressIsARehearsal) {
         ASSERT_EQ(m_servo->servo().stage(), Stage::rehearsed);
         const std::size_t commands = logOf("trajectory").size();
         tickFor(1.0, true);
-        ASSERT_EQ(m_servo->servo().stage(), Stage::driving);
+        ASSERT_EQ(m_servo->servo().stage(), Stage::driving)
+            << byStop << ' ' << static_cast<int>(m_servo->servo().ending());
         EXPECT_GT(logOf("trajectory").size(), commands);
         if (byStop)
             m_stop.engage();

@@ -40,12 +40,16 @@ protected:
                      fast::TypeSupport(new tactile_msgs::msg::TactileStatePubSubType),
                      {.reliable = reliable, .transientLocal = false, .depth = 64}, &inbox);
     }
+    /// At least 100, and until the scene presses: at most 10 s.
     [[nodiscard]] static std::vector<TactileState> some(peer::Inbox<TactileState>& inbox) {
         std::vector<TactileState> got;
         (void)TestConsole::eventually([&] {
             for (TactileState& state : inbox.take())
                 got.push_back(std::move(state));
-            return got.size() >= 100;
+            return got.size() >= 100 && std::ranges::any_of(got, [](const TactileState& state) {
+                       return std::ranges::any_of(state.sensors()[0].values(),
+                                                  [](float value) { return value > 0.1F; });
+                   });
         });
         return got;
     }
