@@ -227,7 +227,7 @@ const std::vector<Example> kExamples{
     {"trail", showTrail},
     {"limit", showLimit, {0.4, 0.25, 0.4, 0.4}},
     {"wrench", showWrench, {0.35, 0.2, 0.35, 0.35}},
-    {"gel", showGel},
+    {"gel", showGel, {0.35, 0.25, 0.35, 0.4}},
 };
 
 } // namespace
