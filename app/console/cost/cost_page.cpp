@@ -222,7 +222,11 @@ QWidget* CostPage::makeTable() {
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setShowGrid(false);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(base::em(this, 1.7));
+    // What is too long for its column has further lines.
+    m_table->verticalHeader()->setMinimumSectionSize(base::em(this, 1.7));
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    connect(m_table->horizontalHeader(), &QHeaderView::sectionResized, m_table,
+            &QTableWidget::resizeRowsToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(parameterColumn, QHeaderView::Stretch);
     auto* layout = new QVBoxLayout(m_below);

@@ -318,9 +318,16 @@ private slots:
         for (int column = 0; column < table.columnCount(); ++column)
             for (int row = 0; row < table.rowCount(); ++row) {
                 const QTableWidgetItem& item = *table.item(row, column);
-                QVERIFY2(QFontMetrics(item.font()).horizontalAdvance(item.text()) <=
-                             table.columnWidth(column),
-                         qPrintable(item.text()));
+                const QRect needed = table.fontMetrics().boundingRect({0, 0, table.columnWidth(column), 1000},
+                                                                      Qt::TextWordWrap, item.text());
+                QTRY_VERIFY2(needed.width() <= table.columnWidth(column) &&
+                                 needed.height() <= table.rowHeight(row),
+                             qPrintable(QStringLiteral("%1: %2 x %3 px, has %4 x %5")
+                                            .arg(item.text())
+                                            .arg(needed.width())
+                                            .arg(needed.height())
+                                            .arg(table.columnWidth(column))
+                                            .arg(table.rowHeight(row))));
             }
         // Nor is the chart squeezed for it.
         QVERIFY(m_page->findChild<cost::CostChart*>()->height() > 150);
