@@ -631,10 +631,6 @@
         <translation>Terminé : les trames de la matrice sont anciennes.</translation>
     </message>
     <message>
-        <source>Ended: the joint readings are old.</source>
-        <translation>Terminé : les mesures des articulations sont anciennes.</translation>
-    </message>
-    <message>
         <source>Ended: the arm took no commands.</source>
         <translation>Terminé : le bras n’acceptait pas de commandes.</translation>
     </message>
@@ -663,12 +659,20 @@
         <translation>La tâche est terminée.</translation>
     </message>
     <message>
-        <source>The arm was moved otherwise: the task is rehearsed again.</source>
-        <translation>Le bras a été déplacé autrement : la tâche est de nouveau répétée.</translation>
+        <source>Ended: the joint readings are old or unusable.</source>
+        <translation>Terminé : les mesures des articulations sont anciennes ou inutilisables.</translation>
     </message>
     <message>
-        <source>The task was changed: it is rehearsed again.</source>
-        <translation>La tâche a été changée : elle est de nouveau répétée.</translation>
+        <source>The arm was moved otherwise: rehearse the task again.</source>
+        <translation>Le bras a été déplacé autrement : répétez de nouveau la tâche.</translation>
+    </message>
+    <message>
+        <source>The task was changed: rehearse it again.</source>
+        <translation>La tâche a été changée : répétez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>Ended: a joint is at the end of its range.</source>
+        <translation>Terminé : une articulation est au bout de sa course.</translation>
     </message>
 </context>
 <context>
@@ -862,7 +866,7 @@
     </message>
     <message>
         <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
-        <translation>--rows %1 --columns 3 pour la grille ; pour des vecteurs, le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
+        <translation>--rows %1 --columns 3 pour la grille&#xa0;; pour des vecteurs, le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
     </message>
     <message>
         <source>%1 has %2 numbers</source>
@@ -4694,7 +4698,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>one number a taxel; or the file that says where the taxels are (--layout FILE.toml)</source>
-        <translation>un nombre par taxel ; ou le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
+        <translation>un nombre par taxel&#xa0;; ou le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
     </message>
 </context>
 <context>
@@ -4820,7 +4824,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>Where the taxels are and what each tells, also off a grid and as vectors: the table [layout] of a device file</source>
-        <translation>Où sont les taxels et ce que chacun donne, aussi hors d’une grille et en vecteurs : la table [layout] d’un fichier d’appareil</translation>
+        <translation>Où sont les taxels et ce que chacun donne, aussi hors d’une grille et en vecteurs&#xa0;: la table [layout] d’un fichier d’appareil</translation>
     </message>
     <message>
         <source>it says rows, columns and pitch itself</source>
@@ -4832,7 +4836,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>These lines of the file have no effect: %1.</source>
-        <translation>Ces lignes du fichier n’ont pas d’effet : %1.</translation>
+        <translation>Ces lignes du fichier n’ont pas d’effet&#xa0;: %1.</translation>
     </message>
     <message>
         <source>this is for loads on a grid</source>
@@ -15289,11 +15293,11 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>The sensor has told no values for %1 s: it has none, or they are switched off.</source>
-        <translation>Le capteur n’a donné aucune valeur depuis %1 s : il n’en a pas, ou elles sont désactivées.</translation>
+        <translation>Le capteur n’a donné aucune valeur depuis %1&#xa0;s&#xa0;: il n’en a pas, ou elles sont désactivées.</translation>
     </message>
     <message>
         <source>The sensor is another model: %1 instead of %2.</source>
-        <translation>Le capteur est d’un autre modèle : %1 au lieu de %2.</translation>
+        <translation>Le capteur est d’un autre modèle&#xa0;: %1 au lieu de %2.</translation>
     </message>
     <message>
         <source>The sensor has %1 taxels instead of %2.</source>

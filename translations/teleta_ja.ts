@@ -629,10 +629,6 @@
         <translation>終了: パッドのフレームが古くなっています。</translation>
     </message>
     <message>
-        <source>Ended: the joint readings are old.</source>
-        <translation>終了: 関節の値が古くなっています。</translation>
-    </message>
-    <message>
         <source>Ended: the arm took no commands.</source>
         <translation>終了: アームが指令を受けませんでした。</translation>
     </message>
@@ -661,12 +657,20 @@
         <translation>タスクが完了しました。</translation>
     </message>
     <message>
-        <source>The arm was moved otherwise: the task is rehearsed again.</source>
-        <translation>アームが別の方法で動かされました。タスクはもう一度リハーサルになります。</translation>
+        <source>Ended: the joint readings are old or unusable.</source>
+        <translation>終了: 関節の値が古いか使えません。</translation>
     </message>
     <message>
-        <source>The task was changed: it is rehearsed again.</source>
-        <translation>タスクが変更されました。もう一度リハーサルになります。</translation>
+        <source>The arm was moved otherwise: rehearse the task again.</source>
+        <translation>アームが別の方法で動かされました。もう一度リハーサルしてください。</translation>
+    </message>
+    <message>
+        <source>The task was changed: rehearse it again.</source>
+        <translation>タスクが変更されました。もう一度リハーサルしてください。</translation>
+    </message>
+    <message>
+        <source>Ended: a joint is at the end of its range.</source>
+        <translation>終了: 関節が可動範囲の端に達しました。</translation>
     </message>
 </context>
 <context>

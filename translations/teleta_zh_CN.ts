@@ -629,10 +629,6 @@
         <translation>已结束：触觉垫的帧过旧。</translation>
     </message>
     <message>
-        <source>Ended: the joint readings are old.</source>
-        <translation>已结束：关节读数过旧。</translation>
-    </message>
-    <message>
         <source>Ended: the arm took no commands.</source>
         <translation>已结束：机械臂不接受指令。</translation>
     </message>
@@ -661,12 +657,20 @@
         <translation>任务已完成。</translation>
     </message>
     <message>
-        <source>The arm was moved otherwise: the task is rehearsed again.</source>
-        <translation>机械臂被以其他方式移动：任务需重新预演。</translation>
+        <source>Ended: the joint readings are old or unusable.</source>
+        <translation>已结束：关节读数过旧或不可用。</translation>
     </message>
     <message>
-        <source>The task was changed: it is rehearsed again.</source>
-        <translation>任务已更改：需重新预演。</translation>
+        <source>The arm was moved otherwise: rehearse the task again.</source>
+        <translation>机械臂被以其他方式移动：请重新预演任务。</translation>
+    </message>
+    <message>
+        <source>The task was changed: rehearse it again.</source>
+        <translation>任务已更改：请重新预演。</translation>
+    </message>
+    <message>
+        <source>Ended: a joint is at the end of its range.</source>
+        <translation>已结束：一个关节已到达其范围的极限。</translation>
     </message>
 </context>
 <context>

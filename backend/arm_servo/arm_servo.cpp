@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/arm_servo/arm_servo.h"
 
+#include "backend/core/device/arm_device.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,6 +15,10 @@ namespace {
 
 /// As the controller counts a longer one.
 constexpr double kLongestStep_s = 0.05;
+
+bool isZero(const JointVector& rate) {
+    return std::ranges::all_of(rate, [](double one) { return one == 0.0; });
+}
 
 servo::ServoController controllerOf(ArmTask task, double force_N, std::shared_ptr<const PadArm> pad) {
     // armPlan() passes the controller's check.
@@ -62,6 +68,9 @@ Ending ArmServo::trouble(const ArmServoInput& input) const {
         return Ending::noFrames;
     if (m_stage == Stage::driving && input.hindered && input.now_ns - m_began_ns > kGrace_ns)
         return Ending::hindered;
+    // The last command counts no more: whoever carries commands out wants a fresh press by now.
+    if (m_stage == Stage::driving && input.now_ns - m_tick_ns > core::ArmCommand::kJogLifetime_ns)
+        return Ending::hindered;
     return Ending::none;
 }
 
@@ -88,12 +97,11 @@ void ArmServo::begin(const ArmServoInput& input) {
     m_began_ns = m_step_ns = input.now_ns;
     m_controller.reset();
     m_output = {};
-    m_advance_m = 0.0;
-    m_touched = false;
+    m_advance_m = m_depth_m = 0.0;
     m_taxels = -1; // the plan may have any
     m_rate = JointVector::zeros(m_pad->joints());
     if (m_stage == Stage::driving) {
-        m_usedFrame = m_frame;
+        m_usedFrame = m_firstFrame = m_frame;
         m_step_ns = input.frame_ns;
         return;
     }
@@ -115,8 +123,13 @@ void ArmServo::end(Ending ending, std::int64_t now_ns) {
     }
     if (m_stage == Stage::idle)
         m_place_rad = {};
-    m_restOwed = drove;
-    m_restUntil_ns = drove ? now_ns + kRest_ns : 0;
+    // What was owed of an end in the same step stays.
+    if (drove) {
+        m_restOwed = true;
+        m_restUntil_ns = now_ns + kRest_ns;
+    } else if (!m_restOwed) {
+        m_restUntil_ns = 0;
+    }
     m_rate = {};
 }
 
@@ -151,10 +164,10 @@ JointVector ArmServo::control(const contact::TactileFeatures& features, const Jo
 
     const servo::ServoTask& task = m_controller.plan().tasks[m_output.phase];
     const bool touches = features.active > 0;
-    const bool feelsEnough = touches && features.force_N >= 0.5 * task.desired.force_N;
-    if (std::exchange(m_touched, touches) != touches || feelsEnough)
-        m_advance_m = 0.0;
-    m_advance_m += std::min(dt_s, kLongestStep_s) * m_output.twist_Sensor[servo::kZ];
+    // Not when the contact comes and goes: that of a broken taxel may flicker.
+    if (touches && features.force_N >= 0.5 * task.desired.force_N)
+        m_advance_m = m_depth_m = 0.0;
+    (touches ? m_depth_m : m_advance_m) += std::min(dt_s, kLongestStep_s) * m_output.twist_Sensor[servo::kZ];
     return m_pad->carryOut(q_rad, twist_Base).rate;
 }
 
@@ -164,9 +177,15 @@ Ending ArmServo::afterControl() const {
         return Ending::contactLost;
     if (m_output.finished)
         return Ending::finished;
-    if (m_advance_m > (m_touched ? kDeepest_m : kFarthest_m))
-        return m_touched ? Ending::tooDeep : Ending::nothingFound;
-    return Ending::none;
+    if (m_depth_m > kDeepest_m)
+        return Ending::tooDeep;
+    if (m_advance_m > kFarthest_m)
+        return Ending::nothingFound;
+    // To whoever carries commands out a zero says that the switch was let go, and what follows is a new
+    // press. While the controller waits for a contact to come back, that does no harm.
+    const bool rests = m_stage == Stage::driving && m_usedFrame > m_firstFrame && isZero(m_rate) &&
+                       m_output.limits.has(servo::Limit::jointEnd);
+    return rests ? Ending::jointEnd : Ending::none;
 }
 
 void ArmServo::rehearse(const ArmServoInput& input, ArmServoStep& step) {
@@ -197,6 +216,8 @@ void ArmServo::drive(const ArmServoInput& input, ArmServoStep& step) {
 ArmServoStep ArmServo::step(const ArmServoInput& input) {
     ArmServoStep step;
     watchFrames(input);
+    if (m_tick_ns == 0)
+        m_tick_ns = input.now_ns;
     if (isRunning() && !input.held)
         end(Ending::letGo, input.now_ns);
     watchArm(input);
@@ -227,6 +248,7 @@ ArmServoStep ArmServo::step(const ArmServoInput& input) {
     if (const Ending reason = isRunning() ? afterControl() : Ending::none; reason != Ending::none)
         end(reason, input.now_ns);
     step.output = m_output;
+    m_tick_ns = input.now_ns;
     if (std::exchange(m_restOwed, false))
         step.rate = JointVector::zeros(m_pad->joints());
     return step;

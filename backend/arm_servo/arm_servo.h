@@ -29,7 +29,8 @@ enum class Ending {
     stopped,      ///< STOP
     noFrames,     ///< the pad's frames are old
     noJoints,     ///< the joint readings are old or unusable
-    hindered,     ///< the arm does not take commands
+    hindered,     ///< the arm does not take commands, or they came too late to count
+    jointEnd,     ///< a joint is at the end of its range, and the whole arm rests
     contactLost,  ///< the search for it has ended
     nothingFound, ///< the pad has come kFarthest_m without touching anything
     tooDeep,      ///< it has gone kDeepest_m into what it touches, and feels less than half of the force
@@ -131,12 +132,14 @@ private:
     std::uint64_t m_frame = 0;
     std::int64_t m_frameCame_ns = 0; ///< when m_frame was seen first; 0: none was
     std::uint64_t m_usedFrame = 0;   ///< of the last control step
+    std::uint64_t m_firstFrame = 0;  ///< when the arm began to be driven
     std::int64_t m_restUntil_ns = 0;
     core::JointVector
         m_place_rad; ///< where the arm has to be for the rehearsal to count; empty: nothing counts
     core::JointVector m_rate;
-    double m_advance_m = 0.0; ///< along the pad's normal since it last felt what it should
-    bool m_touched = false;   ///< in the last control step
+    std::int64_t m_tick_ns = 0; ///< of the last step
+    double m_advance_m = 0.0; ///< along the pad's normal since it last felt what it should, without m_depth_m
+    double m_depth_m = 0.0;   ///< the part of it while it touched something
     int m_taxels = 0;         ///< most that have been touched together since the pad touches something
     servo::ServoOutput m_output;
 };

@@ -32,6 +32,7 @@ void RehearsalWorld::begin(ArmTask task, const core::JointVector& q_rad, bool to
         m_shape = simulation::BallSurface{kBall_m};
     else
         m_shape = simulation::EdgeSurface{};
+    m_array.forget(); // the last one was at the same place
     // The body looks at the pad: its z is out of its surface, as that of the pad is.
     m_X_Base_Object = m_pad->X_Base_Sensor(q_rad) * Eigen::Translation3d(0.0, 0.0, touches ? 0.0 : kGap_m) *
                       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());

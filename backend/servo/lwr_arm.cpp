@@ -16,7 +16,9 @@ SensorMotion LwrArm::carryOut(const core::JointVector& q_rad, const Twist& twist
     const JointMotion motion = solveRates(q, m_kinematics.forward(q).jacobian, twist_Base, m_inverse);
     return {.rate = jointVector(motion.rate_radPerS),
             .achieved = motion.achieved,
-            .slowed = motion.scale<1.0, .atEnd = motion.atEnd.any(), .singular = motion.damping> 0.0};
+            .slowed = (motion.scale < 1.0),
+            .atEnd = motion.atEnd.any(),
+            .singular = (motion.damping > 0.0)};
 }
 
 } // namespace teleta::servo

@@ -47,7 +47,8 @@ struct ArrayLoads {
 ///   energy = k d^2 / 2,  wrench = k d [n; p x n],  n the body's normal at p
 /// in series with the body's own stiffness: k = k_array k_body / (k_array + k_body), each of a patch as large
 /// as the spring's. The wrench, without friction, is the derivative of the energy. Which springs are near the
-/// body is remembered while the pose changes little. A shape must not change its form while it is used.
+/// body is remembered while the pose changes little. After a shape has changed its form,
+/// forget() has to be called.
 /// Thread: one; press() and readLoads() allocate nothing.
 class ElasticArray {
 public:
@@ -68,6 +69,12 @@ public:
     /// Loads of the taxels in N (layout.taxels() values, overwritten), along -z.
     ArrayLoads readLoads(const Eigen::Isometry3d& X_Sensor_Object, const TouchedShape& shape,
                          std::span<double> load_N) const;
+
+    /// What is remembered of a shape.
+    void forget() {
+        m_nearShape = nullptr;
+        m_pressedShape = nullptr;
+    }
 
     [[nodiscard]] const core::ArrayLayout& layout() const { return m_layout; }
 

@@ -278,6 +278,73 @@ TEST(ArmServo, aPadThatFeelsNothingDoesNotGoOnForEver) {
     EXPECT_NEAR((end_m - begin_m).norm(), ArmServo::kFarthest_m, 0.001);
 }
 
+/// As of a broken cable: the bounds do not begin anew with each touch.
+TEST(ArmServo, aContactThatFlickersDoesNotLiftTheBounds) {
+    ServoBench bench;
+    bench.rehearse();
+    const Eigen::Vector3d begin_m = bench.pad->X_Base_Sensor(bench.q_rad).translation();
+    bool touches = false;
+    bench.world = [&](const Eigen::Isometry3d&) {
+        touches = !touches;
+        return touches ? ServoBench::touch(0.3, 0.0, 0.0, 1, contact::ContactType::point)
+                       : contact::TactileFeatures{};
+    };
+    bench.press();
+    bench.run(120.0);
+    EXPECT_FALSE(bench.servo.isRunning());
+    EXPECT_NE(bench.servo.ending(), Ending::none);
+    const Eigen::Vector3d end_m = bench.pad->X_Base_Sensor(bench.q_rad).translation();
+    EXPECT_LT((end_m - begin_m).norm(), ArmServo::kFarthest_m + ArmServo::kDeepest_m + 0.001);
+}
+
+TEST(ArmServo, aViewThatHungEndsTheMotionAndTheSameHoldMovesNothing) {
+    ServoBench bench;
+    bench.rehearse();
+    bench.press();
+    bench.run(2.0);
+    ASSERT_EQ(bench.servo.stage(), Stage::driving);
+    bench.hang(0.15);
+    const int motions = bench.motions;
+    bench.run(1.0);
+    EXPECT_EQ(bench.servo.stage(), Stage::idle);
+    EXPECT_EQ(bench.servo.ending(), Ending::hindered);
+    EXPECT_EQ(bench.motions, motions);
+}
+
+/// The arm holds, and says why: it does not wait at the end of a joint for whatever frees it.
+TEST(ArmServo, theEndOfAJointEndsTheRun) {
+    ServoBench bench;
+    for (std::size_t i = 0; i < bench.q_rad.size(); ++i) {
+        bench.description.lowest_rad[i] = bench.q_rad[i] - PadArm::kMargin_rad - 0.002;
+        bench.description.highest_rad[i] = bench.q_rad[i] + PadArm::kMargin_rad + 0.002;
+    }
+    bench.pad = *PadArm::create(bench.chain, bench.description, *bench.description.pad);
+    bench.servo = ArmServo(bench.chain, bench.pad, core::ArrayLayout{}, contact::FeatureSettings{});
+    bench.rehearse();
+    bench.press();
+    bench.run(0.3);
+    ASSERT_EQ(bench.servo.stage(), Stage::driving);
+    bench.run(10.0);
+    EXPECT_EQ(bench.servo.stage(), Stage::idle);
+    EXPECT_EQ(bench.servo.ending(), Ending::jointEnd);
+    EXPECT_GT(bench.motions, 0);
+}
+
+/// STOP that is engaged in the same step in which the switch is let go.
+TEST(ArmServo, lettingGoAndStopInOneStepStillTellTheArmToRest) {
+    ServoBench bench;
+    bench.rehearse();
+    bench.press();
+    bench.run(2.0);
+    ASSERT_EQ(bench.servo.stage(), Stage::driving);
+    bench.release();
+    bench.stopped = true;
+    const ArmServoStep step = bench.tick();
+    ASSERT_TRUE(step.rate);
+    EXPECT_TRUE(std::ranges::all_of(*step.rate, [](double rate) { return rate == 0.0; }));
+    EXPECT_EQ(bench.servo.stage(), Stage::idle);
+}
+
 TEST(ArmServo, aPadThatFeelsTooLittleIsNotPressedOn) {
     ServoBench bench;
     bench.rehearse();

@@ -109,6 +109,8 @@ public:
         for (int i = static_cast<int>(seconds / (1e-9 * kTick_ns)); i > 0; --i)
             newest = tick();
     }
+    /// Nothing is asked of the servo for so long.
+    void hang(double seconds) { now_ns += static_cast<std::int64_t>(1e9 * seconds); }
     void press() { held = true; }
     void release() { held = false; }
     /// A rehearsal of this length that counts.

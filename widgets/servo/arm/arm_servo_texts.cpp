@@ -45,10 +45,12 @@ QString ArmServoTexts::ending(Ending ending, const QString& hindrance) {
     case Ending::noFrames:
         return tr("Ended: the frames of the pad are old.");
     case Ending::noJoints:
-        return tr("Ended: the joint readings are old.");
+        return tr("Ended: the joint readings are old or unusable.");
     case Ending::hindered:
         return hindrance.isEmpty() ? tr("Ended: the arm took no commands.")
                                    : tr("Ended: the arm took no commands: %1.").arg(hindrance);
+    case Ending::jointEnd:
+        return tr("Ended: a joint is at the end of its range.");
     case Ending::contactLost:
         return tr("Ended: the contact was lost, and the search did not find it.");
     case Ending::nothingFound:
@@ -61,9 +63,9 @@ QString ArmServoTexts::ending(Ending ending, const QString& hindrance) {
     case Ending::finished:
         return tr("The task is done.");
     case Ending::armMoved:
-        return tr("The arm was moved otherwise: the task is rehearsed again.");
+        return tr("The arm was moved otherwise: rehearse the task again.");
     case Ending::taskChanged:
-        return tr("The task was changed: it is rehearsed again.");
+        return tr("The task was changed: rehearse it again.");
     }
     return {};
 }
