@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace teleta::site_program {
@@ -87,9 +88,13 @@ int serve(RunningSite& site, const SiteFile& file, SiteLog& log, const SiteSigna
                    .toStdString()});
     std::uint64_t cycles = 0;
     std::int64_t nextTell_ns = 0;
+    // In a thread of its own: a log that nobody reads must not hold up STOP.
+    const std::jthread keys([&site, &sent](const std::stop_token& ends) {
+        while (!ends.stop_requested() && !sent.wait(kPoll_ns))
+            if (const std::optional<bool> stop = sent.takeStop())
+                site.setStop(*stop);
+    });
     while (!sent.wait(kPoll_ns)) {
-        if (const std::optional<bool> stop = sent.takeStop())
-            site.setStop(*stop);
         site.poll();
         log.flush();
         const std::int64_t now_ns = core::steadyNow_ns();
@@ -151,10 +156,20 @@ SiteSignals::SiteSignals() {
 bool SiteSignals::wait(std::int64_t longest_ns) const {
     const timespec longest{longest_ns / 1'000'000'000, longest_ns % 1'000'000'000};
     const int signal = m_came ? 0 : sigtimedwait(&m_signals, nullptr, &longest);
-    if (signal == SIGUSR1 || signal == SIGUSR2)
-        m_stop = signal == SIGUSR1 ? Stop::engage : Stop::withdraw;
-    else if (signal > 0)
+    if (signal == SIGUSR1) {
+        m_stop = Stop::engage;
+        // Which of two that wait came first is not known: STOP counts.
+        sigset_t withdrawn;
+        sigemptyset(&withdrawn);
+        sigaddset(&withdrawn, SIGUSR2);
+        constexpr timespec kNoTime{};
+        (void)sigtimedwait(&withdrawn, nullptr, &kNoTime);
+    } else if (signal == SIGUSR2) {
+        Stop before = Stop::unchanged;
+        (void)m_stop.compare_exchange_strong(before, Stop::withdraw);
+    } else if (signal > 0) {
         m_came = true;
+    }
     return m_came;
 }
 

@@ -16,7 +16,7 @@ public:
     SiteSignals();
     /// Waits so long for one that ends the program; true once one has come. Returns sooner for the others.
     [[nodiscard]] bool wait(std::int64_t longest_ns) const;
-    /// Whether STOP was asked for, or withdrawn, since the last call; the newest counts.
+    /// Whether STOP was asked for, or withdrawn, since the last call; of both, STOP counts.
     [[nodiscard]] std::optional<bool> takeStop() const;
 
 private:

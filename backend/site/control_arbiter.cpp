@@ -278,7 +278,11 @@ CommandRefusal ControlArbiter::command(const std::string& console, const Command
 }
 
 void ControlArbiter::withdrawStopsOfGone(std::int64_t now_ns) {
-    if (std::erase_if(m_stops, [&](const auto& stop) { return !alive(stop.first, now_ns); }) > 0)
+    const auto isGone = [&](const auto& stop) {
+        const auto found = m_consoles.find(stop.first);
+        return !alive(stop.first, now_ns) || found == m_consoles.end() || found->second.boot != stop.second;
+    };
+    if (std::erase_if(m_stops, isGone) > 0)
         requireNewPress();
 }
 

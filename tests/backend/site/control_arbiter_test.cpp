@@ -310,6 +310,16 @@ TEST(ControlArbiter, somebodyAtTheSiteWithdrawsTheStopsOfThoseWhoVanishedAndNoOt
     EXPECT_EQ(site.mode(), Mode::free);
 }
 
+TEST(ControlArbiter, theStopOfAProgramThatWasStartedAnewIsThatOfOneThatVanished) {
+    Site site;
+    site.arbiter.presence("one", {boot(1), false, true}, site.now_ns);
+    site.pass(3 * kSecond);
+    site.arbiter.presence("one", {boot(7), false, false}, site.now_ns);
+    EXPECT_EQ(site.mode(), Mode::stopped);
+    site.arbiter.withdrawStopsOfGone(site.now_ns);
+    EXPECT_EQ(site.mode(), Mode::free);
+}
+
 TEST(ControlArbiter, aSecondProgramOfTheSameNameIsRefusedWhileTheFirstIsAlive) {
     Site site;
     site.ask("one", RequestKind::request);
