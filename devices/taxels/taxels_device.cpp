@@ -112,7 +112,11 @@ void TaxelsDevice::open(core::Wakeup& consumer) {
 }
 
 void TaxelsDevice::adopt(ByteLink link) {
+    // What a sensor was holds beyond its connection: layout, tare and calibration are its own.
+    const std::string model = m_decoder ? m_decoder->model() : std::string();
     m_decoder = makeDecoder(m_file.format, link);
+    if (!model.empty())
+        m_decoder->expectModel(model);
     m_link = std::make_unique<ByteLink>(std::move(link));
 }
 

@@ -57,6 +57,11 @@ public:
         bool operator==(const Problem&) const = default;
     };
 
+    /// The model of sensor that is expected; empty: none has been told yet, or the frames tell none.
+    [[nodiscard]] virtual std::string model() const { return {}; }
+    /// The first model that was told on a connection before; empty: none was.
+    virtual void expectModel(const std::string& /*model*/) {}
+
     /// Whether the bytes of an incomplete frame may still follow.
     enum class Rest {
         mayCome,

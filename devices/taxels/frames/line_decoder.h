@@ -20,6 +20,11 @@ public:
     LineDecoder(JsonFormat format, Framing framing);
 
     [[nodiscard]] bool next(DecodedFrame& frame, Rest rest = Rest::mayCome) override;
+    [[nodiscard]] std::string model() const override { return m_model; }
+    void expectModel(const std::string& model) override {
+        if (m_model.empty())
+            m_model = model;
+    }
 
 private:
     enum class Verdict { wrong, other, frame };
