@@ -283,9 +283,12 @@ core::Expected<OpenFrames> openFrames(const FrameOptions& options) {
     if (!reader)
         return core::Unexpected(interruptedInstead(std::move(reader).error()));
     warnOfUnused(*reader);
-    TELETA_TRY(const std::optional<double> newtons, options.array.newtonsPerUnit());
-    const std::optional<double> gain = options.gain ? options.gain : newtons;
     const std::string unit = reader->unit();
+    TELETA_TRY(std::optional<double> newtons, options.array.newtonsPerUnit());
+    // What the file says of its values itself is not multiplied again.
+    if (unit == "N")
+        newtons.reset();
+    const std::optional<double> gain = options.gain ? options.gain : newtons;
     OpenFrames frames{*std::move(reader), gain.value_or(1.0), gain || unit.empty() ? "N" : unit};
     if (frames.loadUnit != "N")
         warn(FrameOptionText::tr("The values are in %1, not in N: give the N of one unit with --gain.")

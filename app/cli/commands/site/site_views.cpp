@@ -192,8 +192,8 @@ core::Expected<void> watchSite(const SiteOptions& options) {
 core::Expected<void> watchClock(const SiteOptions& options) {
     const core::StopSwitch stop;
     TELETA_TRY(const auto client, look(options, stop));
-    constexpr std::array<std::string_view, 6> kColumns{"time_s",  "offset_s", "shown_offset_s",
-                                                       "bound_s", "delay_s",  "jumps"};
+    constexpr std::array<std::string_view, 6> kColumns{"time_s",  "offset_s", "bound_s",
+                                                       "delay_s", "jumps",    "shown_offset_s"};
     TELETA_TRY(auto rows, RowOutput::open(kColumns, {.json = options.json, .outPath = {}}));
     const Watch watch(options.time_s);
     double next_s = 1.0;
@@ -208,11 +208,11 @@ core::Expected<void> watchClock(const SiteOptions& options) {
         };
         rows.number(watch.now_s());
         rows.number(seconds(&site::ClockOffset::offset_ns));
-        rows.number(view.shownOffset_ns ? std::optional(static_cast<double>(*view.shownOffset_ns) * kPerNs)
-                                        : std::nullopt);
         rows.number(seconds(&site::ClockOffset::bound_ns));
         rows.number(seconds(&site::ClockOffset::delay_ns));
         rows.integer(static_cast<long long>(view.clockJumps));
+        rows.number(view.shownOffset_ns ? std::optional(static_cast<double>(*view.shownOffset_ns) * kPerNs)
+                                        : std::nullopt);
         rows.endRow();
         rows.flush();
     }
