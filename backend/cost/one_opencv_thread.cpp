@@ -3,15 +3,30 @@
 
 #include <opencv2/core/utility.hpp>
 
+#include <mutex>
+
 namespace teleta::cost {
 
-OneOpenCvThread::OneOpenCvThread()
-    : m_before(cv::getNumThreads()) {
-    cv::setNumThreads(1);
+namespace {
+
+std::mutex mutex;
+int users = 0;
+int threadsBefore = 0;
+
+} // namespace
+
+OneOpenCvThread::OneOpenCvThread() {
+    const std::scoped_lock lock(mutex);
+    if (users++ == 0) {
+        threadsBefore = cv::getNumThreads();
+        cv::setNumThreads(1);
+    }
 }
 
 OneOpenCvThread::~OneOpenCvThread() {
-    cv::setNumThreads(m_before);
+    const std::scoped_lock lock(mutex);
+    if (--users == 0)
+        cv::setNumThreads(threadsBefore);
 }
 
 } // namespace teleta::cost

@@ -338,6 +338,8 @@ bool GelContacts::loadChanged(const MarkerGel& gel, const Followed& followed) co
     const double least_m2 = std::max(kLoadChanges * std::abs(followed.load_m2), noise_m2);
     if (std::abs(load_m2 - followed.load_m2) <= least_m2)
         return false;
+    if (std::abs(followed.load_m2) <= noise_m2)
+        return true; // nothing that could have grown in proportion
     // A ring of slip stretches the skin on one side and presses it together on the other. Over few markers
     // that does not cancel; across the way there is nothing of it.
     const Moved moved = movedSince(gel, followed);

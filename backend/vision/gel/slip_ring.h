@@ -10,6 +10,11 @@
 
 namespace teleta::vision {
 
+/// Fewer places do not tell a ring.
+inline constexpr std::size_t kLeastRingPlaces = 12;
+/// In radii: places that lie further away are left out, since how they move depends on the skin's thickness.
+inline constexpr double kRingReach = 1.2;
+
 /// The share of a round contact that slips, from how far the places in it, and close around it, have gone:
 /// the ring of slip after Cattaneo and Mindlin, whose width and the radius of the contact are those that
 /// explain the motion best. Every place tells something of both, also where it lags by less than its noise,
@@ -20,9 +25,6 @@ namespace teleta::vision {
 /// noise_m: standard deviation of a place along an axis, > 0.
 /// 0..1; nothing: no ring explains how they went.
 /// Thread: any (pure).
-inline constexpr std::size_t kLeastRingPlaces = 12;
-/// In radii: places that lie further away are left out, since how they move depends on the skin's thickness.
-inline constexpr double kRingReach = 1.2;
 [[nodiscard]] std::optional<double> slippingRing(std::span<const ContactPlace> places,
                                                  const Eigen::Vector2d& centre_m, double radius_m,
                                                  double noise_m);

@@ -36,6 +36,7 @@ void addOtherParts(contact::Contact& contact, std::span<const contact::Contact> 
         contact.force_N += other.force_N;
         contact.area_m2 += other.area_m2;
         contact.taxels += other.taxels;
+        contact.shear.reset(); // along the surface of one part only
     }
 }
 

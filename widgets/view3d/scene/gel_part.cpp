@@ -252,7 +252,8 @@ void GelPart::drawContact(const vision::GelContactState& contact, const GelWords
     const QColor& slip = words.slipColour[m_colours.dark ? 1 : 0];
     m_solids.sphere(mark.p_Sensor_Foot, mark_m, slip.isValid() ? slip.rgb() : mark.colour.rgb());
 
-    const double share = std::min(1.0, contact.normalProxy_m2 / m_spreadRange.high());
+    const double spread_m2 = std::isfinite(contact.normalProxy_m2) ? contact.normalProxy_m2 : 0.0;
+    const double share = std::min(1.0, spread_m2 / m_spreadRange.high());
     if (share > kGelLeastShare) {
         const Eigen::Vector3d head = mark.p_Sensor_Foot + mark_m * Eigen::Vector3d::UnitZ();
         mark.p_Sensor_Tail = head + share * kGelLongestPress * m_size_m * Eigen::Vector3d::UnitZ();
