@@ -3,6 +3,7 @@
 // press rehearses, the second one does. The robot's log says where the arm was and what its pad felt.
 #include "app/sources/source_request.h"
 #include "backend/arm_servo/channel_servo.h"
+#include "backend/core/device/arm_device.h"
 #include "backend/core/steady_time.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/touch_pipeline.h"
@@ -11,11 +12,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace teleta {
@@ -68,13 +71,28 @@ protected:
 
     void tick(bool held) {
         (void)m_arm->skin()->update();
-        (void)m_servo->tick(core::steadyNow_ns(), held, m_stop.engaged(), false);
+        const std::int64_t now_ns = core::steadyNow_ns();
+        m_late = m_late || now_ns - std::exchange(m_tick_ns, now_ns) > core::ArmCommand::kJogLifetime_ns;
+        (void)m_servo->tick(now_ns, held, m_stop.engaged(), false);
     }
     void tickFor(double seconds, bool held) {
         using Clock = std::chrono::steady_clock;
         for (const auto end = Clock::now() + std::chrono::duration<double>(seconds); Clock::now() < end;
              std::this_thread::sleep_for(std::chrono::milliseconds(33)))
             tick(held);
+    }
+    /// A press of an arm whose task has been rehearsed. A computer that is late for longer than a command
+    /// counts ends the task, as it should: then it is rehearsed and done again.
+    void driveFor(double seconds) {
+        for (int tries = 0; tries < 5; ++tries) {
+            m_late = false;
+            tickFor(seconds, true);
+            if (m_servo->servo().isRunning() || !m_late)
+                return;
+            tickFor(0.3, false);
+            tickFor(1.5, true);
+            tickFor(0.3, false);
+        }
     }
 
     /// States of the last seconds in the log.
@@ -95,6 +113,8 @@ protected:
     pipeline::TouchPipeline m_pipeline;
     std::shared_ptr<pipeline::ArmChannel> m_arm;
     std::unique_ptr<arm_servo::ChannelServo> m_servo;
+    std::int64_t m_tick_ns = core::steadyNow_ns();
+    bool m_late = false; ///< a tick came later than a command counts
 };
 
 TEST_F(ArmServoPeer, theFirstPressMovesNothingAndTheSecondOneHoldsAForce) {
@@ -111,7 +131,7 @@ TEST_F(ArmServoPeer, theFirstPressMovesNothingAndTheSecondOneHoldsAForce) {
         EXPECT_EQ(state["pad_N"].get<double>(), 0.0);
     }
 
-    tickFor(25.0, true);
+    driveFor(25.0);
     ASSERT_EQ(m_servo->servo().stage(), Stage::driving) << static_cast<int>(m_servo->servo().ending());
     // The spring below the ball tells the force; a taxel loses the point of contact for a moment when it
     // crosses the edge of the taxel.
@@ -144,7 +164,7 @@ TEST_F(ArmServoPeer, aSilentPadAndStopEndTheMotionAndTheNextPressIsARehearsal) {
         tickFor(0.3, false);
         ASSERT_EQ(m_servo->servo().stage(), Stage::rehearsed);
         const std::size_t commands = logOf("trajectory").size();
-        tickFor(1.0, true);
+        driveFor(1.0);
         ASSERT_EQ(m_servo->servo().stage(), Stage::driving)
             << byStop << ' ' << static_cast<int>(m_servo->servo().ending());
         EXPECT_GT(logOf("trajectory").size(), commands);
