@@ -9,7 +9,6 @@
 #include <QDateTime>
 
 #include <arpa/inet.h>
-#include <array>
 #include <ifaddrs.h>
 #include <memory>
 #include <net/if.h>
@@ -23,21 +22,31 @@ struct OperatorDomainText {
     Q_DECLARE_TR_FUNCTIONS(OperatorDomainText)
 };
 
-/// Flags IFF_... of an interface, by its name or by one of its IPv4 addresses; empty: there is none.
+/// Flags IFF_... of an interface, by its name, by one of its IPv4 addresses, or by an address of its network,
+/// as DDS finds it: those that all the interfaces on that network have. Empty: there is none.
 std::optional<unsigned> flagsOf(const std::string& interface) {
     ifaddrs* all = nullptr;
     if (getifaddrs(&all) != 0)
         return std::nullopt;
     const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(all, freeifaddrs);
+    in_addr asked{};
+    const bool isAddress = inet_pton(AF_INET, interface.c_str(), &asked) == 1;
+    const auto addressOf = [](const sockaddr* any) {
+        return reinterpret_cast<const sockaddr_in*>(any)->sin_addr.s_addr;
+    };
+    std::optional<unsigned> onNetwork;
     for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
-        std::array<char, INET_ADDRSTRLEN> address{};
-        if (one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET)
-            (void)inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr,
-                            address.data(), address.size());
-        if (interface == one->ifa_name || interface == address.data())
+        if (interface == one->ifa_name)
             return one->ifa_flags;
+        if (!isAddress || one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET)
+            continue;
+        const in_addr_t differs = addressOf(one->ifa_addr) ^ asked.s_addr;
+        if (differs == 0)
+            return one->ifa_flags;
+        if (one->ifa_netmask != nullptr && (differs & addressOf(one->ifa_netmask)) == 0)
+            onNetwork = onNetwork ? *onNetwork & one->ifa_flags : one->ifa_flags;
     }
-    return std::nullopt;
+    return onNetwork;
 }
 
 } // namespace

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <arpa/inet.h>
 #include <ifaddrs.h>
 #include <net/if.h>
+#include <netinet/in.h>
 
 namespace teleta::site_link {
 namespace {
@@ -73,6 +75,13 @@ TEST(RemoteSiteFile, aSiteIsOnATunnelUnlessItsFileSaysOtherwise) {
             continue;
         meeting.domain.interface = one->ifa_name;
         EXPECT_FALSE(meeting.checkInterface()) << one->ifa_name;
+        if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET || one->ifa_netmask == nullptr)
+            continue;
+        // DDS takes the address of the network for the interface as well.
+        in_addr network = reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr;
+        network.s_addr &= reinterpret_cast<const sockaddr_in*>(one->ifa_netmask)->sin_addr.s_addr;
+        meeting.domain.interface = inet_ntoa(network);
+        EXPECT_FALSE(meeting.checkInterface()) << meeting.domain.interface;
     }
     freeifaddrs(all);
     meeting.domain.interface = "";
