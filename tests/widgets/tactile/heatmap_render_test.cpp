@@ -51,6 +51,14 @@ public:
                 brightest = std::max(brightest, qGray(at(pixel + QPointF(dx, dy))));
         return brightest;
     }
+    /// Whether a border in the colour of this contact begins within five pixels.
+    [[nodiscard]] bool hasBorder(int id, const QPointF& from, const QPointF& inwards) const {
+        const QRgb identity = base::identityColour(id, true).rgb();
+        for (int d = 0; d < 5; ++d)
+            if (at(from + inwards * d) == identity)
+                return true;
+        return false;
+    }
     [[nodiscard]] QSet<QRgb> coloursIn(const QRectF& rect) const {
         QSet<QRgb> colours;
         for (int y = qCeil(rect.top()); y < qFloor(rect.bottom()); ++y)
@@ -256,12 +264,8 @@ private slots:
             snapshot.labels[static_cast<std::size_t>(2 * kArray.columns + column)] = 1;
         const Picture picture(snapshot, {Overlay::contacts});
         const HeatmapLayout layout = picture.view.layoutNow();
-        const QRgb identity = base::identityColour(3, true).rgb();
-        const auto borderAt = [&](const QPointF& border, const QPointF& inwards) {
-            for (int d = 0; d < 5; ++d)
-                if (picture.at(border + inwards * d) == identity)
-                    return true;
-            return false;
+        const auto borderAt = [&picture](const QPointF& border, const QPointF& inwards) {
+            return picture.hasBorder(3, border, inwards);
         };
         QVERIFY(borderAt(layout.gridPoint(6.0, 2.5), {1, 0}));
         QVERIFY(borderAt(layout.gridPoint(9.0, 2.5) - QPointF(1, 0), {-1, 0}));
@@ -291,12 +295,8 @@ private slots:
         }
         Picture picture(snapshot, {Overlay::contacts});
         const HeatmapLayout layout = picture.view.layoutNow();
-        const QRgb identity = base::identityColour(3, true).rgb();
-        const auto borderAt = [&](const QPointF& border, const QPointF& inwards) {
-            for (int d = 0; d < 5; ++d)
-                if (picture.at(border + inwards * d) == identity)
-                    return true;
-            return false;
+        const auto borderAt = [&picture](const QPointF& border, const QPointF& inwards) {
+            return picture.hasBorder(3, border, inwards);
         };
         // Both parts in one colour, open at the upper and at the lower edge of the sheet.
         QVERIFY(borderAt(layout.gridPoint(6.0, 5.5), {1, 0}));

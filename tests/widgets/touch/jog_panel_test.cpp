@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 using namespace teleta;
 using namespace teleta::touch;
@@ -51,6 +52,23 @@ struct Desk {
     }
     void release(int key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyRelease(panel, static_cast<Qt::Key>(key), modifiers);
+    }
+    /// An arm of a URDF file of this repository; null: it cannot be read.
+    std::shared_ptr<const arm_model::SerialChain> takeArm(const std::string& file) {
+        const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/" + file);
+        if (!model)
+            return nullptr;
+        const auto read = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
+                                                         "base_link", "tool0");
+        if (!read)
+            return nullptr;
+        core::ArmDescription arm;
+        arm.lowest_rad = read->lowest();
+        arm.highest_rad = read->highest();
+        arm.fastest_radPerS = read->fastest();
+        const auto chain = std::make_shared<const arm_model::SerialChain>(*read);
+        panel->setArm(arm, chain);
+        return chain;
     }
     /// Shift and Q: the first joint turns up.
     void move() {
@@ -88,16 +106,8 @@ private slots:
     void anArmOfAFileHasTheNamesOfItsJointsAndItsTipMovesByItsGeometry() {
         Desk desk;
         QVERIFY(desk.active);
-        const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/tests/data/urdf/gripper.urdf");
-        QVERIFY(model.has_value());
-        const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
-                                                          "base_link", "tool0");
-        QVERIFY(chain.has_value());
-        core::ArmDescription arm;
-        arm.lowest_rad = chain->lowest();
-        arm.highest_rad = chain->highest();
-        arm.fastest_radPerS = chain->fastest();
-        desk.panel->setArm(arm, std::make_shared<const arm_model::SerialChain>(*chain));
+        const auto chain = desk.takeArm("tests/data/urdf/gripper.urdf");
+        QVERIFY(chain);
         core::JointSample sample;
         const JointVector q{0.4, -1.1};
         sample.angle_rad = q;
@@ -127,16 +137,7 @@ private slots:
     void nearASingularityItSaysThatTheTipIsSlower() {
         Desk desk;
         QVERIFY(desk.active);
-        const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf");
-        QVERIFY(model.has_value());
-        const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(*model),
-                                                          "base_link", "tool0");
-        QVERIFY(chain.has_value());
-        core::ArmDescription arm;
-        arm.lowest_rad = chain->lowest();
-        arm.highest_rad = chain->highest();
-        arm.fastest_radPerS = chain->fastest();
-        desk.panel->setArm(arm, std::make_shared<const arm_model::SerialChain>(*chain));
+        QVERIFY(desk.takeArm("resources/arms/seven-joints.urdf"));
         desk.panel->setMode(JogPanel::Mode::tip);
         const auto* limits = desk.panel->findChild<QLabel*>("limits");
         const auto upFrom = [&](const JointVector& angle_rad) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/camera/sample_gel.h"
-#include "widgets/base/theme.h"
+#include "tests/widgets/view3d/empty_scene.h"
 #include "widgets/view3d/scene/touch_scene.h"
 
 #include <gtest/gtest.h>
@@ -22,10 +22,6 @@ constexpr double kEnlargement = 4.0;
 
 const std::vector<GelWords> kWords{
     {QStringLiteral("slip 0.42"), QStringLiteral("Contact 2\nturned"), {Qt::darkYellow, Qt::yellow}}};
-
-TouchScene gelScene() {
-    return TouchScene(view3d::SceneColours(base::designedPalette(false)));
-}
 
 std::vector<Eigen::AlignedBox3d> boxesOf(const TouchScene& scene) {
     std::vector<Eigen::AlignedBox3d> boxes;
@@ -51,17 +47,10 @@ Eigen::AlignedBox3d switched(TouchScene& scene, Switch set) {
     return gone;
 }
 
-vtkIdType linesIn(const TouchScene& scene) {
-    vtkIdType lines = 0;
-    for (const auto& mesh : scene.worldMeshes())
-        lines += mesh->GetNumberOfLines();
-    return lines;
-}
-
 } // namespace
 
 TEST(GelPart, isAsLargeAsItsPictureOnTheSurfaceAndLiesInTheMiddle) {
-    TouchScene scene = gelScene();
+    TouchScene scene = test::emptyScene();
     const pipeline::GelSnapshot snapshot = test::sampleGel();
     EXPECT_TRUE(scene.setGel(&snapshot, kEnlargement, kWords));
     EXPECT_FALSE(scene.isEmpty());
@@ -79,7 +68,7 @@ TEST(GelPart, isAsLargeAsItsPictureOnTheSurfaceAndLiesInTheMiddle) {
 }
 
 TEST(GelPart, withoutCornersItIsAsLargeAsWhatTheMarkersCover) {
-    TouchScene scene = gelScene();
+    TouchScene scene = test::emptyScene();
     pipeline::GelSnapshot snapshot = test::sampleGel();
     snapshot.corners_m[2].setConstant(std::numeric_limits<double>::quiet_NaN());
     scene.setGel(&snapshot, kEnlargement, kWords);
@@ -90,7 +79,7 @@ TEST(GelPart, withoutCornersItIsAsLargeAsWhatTheMarkersCover) {
 
 TEST(GelPart, aMarkersArrowIsItsDisplacementEnlarged) {
     for (const double enlargement : {1.0, 4.0, 16.0}) {
-        TouchScene scene = gelScene();
+        TouchScene scene = test::emptyScene();
         const pipeline::GelSnapshot snapshot = test::sampleGel();
         scene.setGel(&snapshot, enlargement, kWords);
         const auto arrows =
@@ -103,18 +92,18 @@ TEST(GelPart, aMarkersArrowIsItsDisplacementEnlarged) {
 }
 
 TEST(GelPart, aLostMarkerIsACrossAndAGelThatIsNotFollowedHasNone) {
-    TouchScene scene = gelScene();
+    TouchScene scene = test::emptyScene();
     pipeline::GelSnapshot snapshot = test::sampleGel();
     scene.setGel(&snapshot, kEnlargement, kWords);
-    EXPECT_EQ(linesIn(scene), 3) << "the outline of the contact and a cross";
+    EXPECT_EQ(test::linesIn(scene), 3) << "the outline of the contact and a cross";
     snapshot.usable = false;
     snapshot.contacts.clear();
     scene.setGel(&snapshot, kEnlargement, {});
-    EXPECT_EQ(linesIn(scene), 0);
+    EXPECT_EQ(test::linesIn(scene), 0);
 }
 
 TEST(GelPart, contactsAreMarkedInTheWordsOfThePicture) {
-    TouchScene scene = gelScene();
+    TouchScene scene = test::emptyScene();
     const pipeline::GelSnapshot snapshot = test::sampleGel();
     scene.setGel(&snapshot, kEnlargement, kWords);
     ASSERT_EQ(scene.gel().marks().size(), 1U);
@@ -129,7 +118,7 @@ TEST(GelPart, contactsAreMarkedInTheWordsOfThePicture) {
 
 TEST(GelPart, arrowsThatPressAreInProportionToTheSpreadOfTheSkin) {
     const auto reach_m = [](double least_m2, double spread_m2) {
-        TouchScene scene = gelScene();
+        TouchScene scene = test::emptyScene();
         pipeline::GelSnapshot snapshot = test::sampleGel();
         snapshot.contacts.push_back(snapshot.contacts.front());
         snapshot.contacts[0].normalProxy_m2 = spread_m2;
@@ -150,7 +139,7 @@ TEST(GelPart, arrowsThatPressAreInProportionToTheSpreadOfTheSkin) {
 
 TEST(GelPart, theArrowAroundAContactTurnsAsItDoes) {
     for (const double torsion_rad : {0.1, -0.1}) {
-        TouchScene scene = gelScene();
+        TouchScene scene = test::emptyScene();
         pipeline::GelSnapshot snapshot = test::sampleGel();
         snapshot.contacts.front().torsion_rad = torsion_rad;
         scene.setGel(&snapshot, kEnlargement, kWords);
@@ -169,7 +158,7 @@ TEST(GelPart, theArrowAroundAContactTurnsAsItDoes) {
 }
 
 TEST(GelPart, shearIsEnlargedAlongItsDirection) {
-    TouchScene scene = gelScene();
+    TouchScene scene = test::emptyScene();
     pipeline::GelSnapshot snapshot = test::sampleGel();
     snapshot.contacts.front().normalProxy_m2 = 0.0;
     snapshot.contacts.front().shearProxy_m = {0.0, 2e-3};
@@ -180,7 +169,7 @@ TEST(GelPart, shearIsEnlargedAlongItsDirection) {
 }
 
 TEST(GelPart, nothingIsDrawnBeforeTheRestIsKnownAndAfterwardsWithoutIt) {
-    TouchScene scene = gelScene();
+    TouchScene scene = test::emptyScene();
     pipeline::GelSnapshot snapshot = test::sampleGel();
     const auto markers = std::exchange(snapshot.markers, {});
     EXPECT_FALSE(scene.setGel(&snapshot, kEnlargement, kWords));

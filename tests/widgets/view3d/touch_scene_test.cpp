@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/widgets/view3d/empty_scene.h"
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/mesh/geometry_export.h"
@@ -29,10 +30,6 @@ namespace {
 
 constexpr core::ArrayLayout kLayout{.rows = 6, .columns = 14, .pitchX_m = 0.0034};
 
-TouchScene makeScene() {
-    return TouchScene(view3d::SceneColours(base::designedPalette(false)));
-}
-
 std::set<vtkObject*> objectsOf(const TouchScene& scene) {
     std::set<vtkObject*> objects;
     vtkActorCollection* actors = scene.renderer()->GetActors();
@@ -48,7 +45,7 @@ std::set<vtkObject*> objectsOf(const TouchScene& scene) {
 } // namespace
 
 TEST(TouchScene, snapshotsChangeArraysAndMakeNoNewObjects) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     scene.take(test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}, 1));
     EXPECT_TRUE(scene.draw()) << "a new layout changes the shape of the scene";
     const std::set<vtkObject*> before = objectsOf(scene);
@@ -59,14 +56,14 @@ TEST(TouchScene, snapshotsChangeArraysAndMakeNoNewObjects) {
 }
 
 TEST(TouchScene, theSameFrameIsNotDrawnTwice) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     const auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}, 7);
     EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::fresh);
     EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::same);
 }
 
 TEST(TouchScene, framesThatDoNotFitTheirLayoutAreRefused) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     auto snapshot = test::pressed(kLayout, {});
     snapshot.load_N.pop_back();
     EXPECT_EQ(scene.take(snapshot), TouchScene::Taken::refused);
@@ -85,7 +82,7 @@ TEST(TouchScene, framesThatDoNotFitTheirLayoutAreRefused) {
 }
 
 TEST(TouchScene, aMarkSitsOnThePeakAndItsArrowIsAsLongAsItsForceSays) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     const auto snapshot = test::pressed(kLayout, {{1, 0.01, 0.002, 1.0}, {2, -0.01, 0.0, 0.5}});
     scene.take(snapshot);
     scene.draw();
@@ -104,7 +101,7 @@ TEST(TouchScene, aMarkSitsOnThePeakAndItsArrowIsAsLongAsItsForceSays) {
 }
 
 TEST(TouchScene, onTheCylinderTheMarkIsWhereTheMapSaysAndTheArrowAlongTheNormal) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     scene.setSurface(Surface::cylinder);
     scene.take(test::pressed(kLayout, {{1, 0.01, 0.008, 1.0}}));
     scene.draw();
@@ -119,7 +116,7 @@ TEST(TouchScene, onTheCylinderTheMarkIsWhereTheMapSaysAndTheArrowAlongTheNormal)
 }
 
 TEST(TouchScene, aContactOverTheSeamHasOneMarkWithTheForceOfItsParts) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     scene.setSurface(Surface::cylinder);
     const auto apart = test::pressed(kLayout, {{1, 0.01, 0.0085, 1.0}, {2, 0.01, -0.0085, 0.5}});
     auto joined = apart;
@@ -139,7 +136,7 @@ TEST(TouchScene, aContactOverTheSeamHasOneMarkWithTheForceOfItsParts) {
 
 TEST(TouchScene, loadsOfAnyMagnitudeFillTheSameHeights) {
     for (const double unit : {1e-12, 1.0, 1e12}) {
-        TouchScene scene = makeScene();
+        TouchScene scene = test::emptyScene();
         auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}});
         for (float& load : snapshot.load_N) {
             load = static_cast<float>(static_cast<double>(load) * unit);
@@ -158,7 +155,7 @@ TEST(TouchScene, loadsOfAnyMagnitudeFillTheSameHeights) {
 }
 
 TEST(TouchScene, contactsThatAreNotFiniteAreLeftOut) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}, {2, 0.01, 0.0, 0.5}});
     snapshot.contacts.front().x_m = std::numeric_limits<double>::quiet_NaN();
     snapshot.load_N[5] = std::numeric_limits<float>::infinity();
@@ -170,7 +167,7 @@ TEST(TouchScene, contactsThatAreNotFiniteAreLeftOut) {
 }
 
 TEST(TouchScene, linksAndPointsThatAreNotFiniteAreLeftOut) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {nan, 0, 0}, {1, 2, 0}};
     scene.setContour(points, points, {});
@@ -191,7 +188,7 @@ TEST(TouchScene, linksAndPointsThatAreNotFiniteAreLeftOut) {
 }
 
 TEST(TouchScene, objectsThatWereFoundBeforeAreDrawnAndCovered) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<view3d::DrawnObject> objects{
         {1, QStringLiteral("1"), {{0, 0, 0}, {0.1, 0, 0}, {nan, 0, 0}}, {{0, 0, 0}, {0.1, 0, 0}}},
@@ -209,7 +206,7 @@ TEST(TouchScene, objectsThatWereFoundBeforeAreDrawnAndCovered) {
 }
 
 TEST(TouchScene, aRobotTakesThePlaceOfTheTubes) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     view3d::ArmLink link;
     link.length_m = 0.3;
     link.radius_m = 0.03;
@@ -255,7 +252,7 @@ TEST(TouchScene, aRobotTakesThePlaceOfTheTubes) {
 }
 
 TEST(TouchScene, theArmStandsOnABaseWhereThereIsGroundBelowIt) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     view3d::ArmLink link;
     link.X_World_Link = Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.5));
     link.length_m = 0.3;
@@ -271,7 +268,7 @@ TEST(TouchScene, theArmStandsOnABaseWhereThereIsGroundBelowIt) {
 }
 
 TEST(TouchScene, theShadowOnTheGroundFallsToNothingInSmallSteps) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     std::vector<view3d::ArmLink> links(1);
     links[0].X_World_Link = Eigen::Translation3d(0.0, 0.0, 0.3);
     links[0].length_m = 0.25;
@@ -310,7 +307,7 @@ TEST(TouchScene, theShadowOnTheGroundFallsToNothingInSmallSteps) {
 }
 
 TEST(GeometryExport, aStlFileHoldsTheTrianglesOfThePlateInMillimetres) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     auto snapshot = test::pressed(kLayout, {});
     scene.take(snapshot);
     scene.draw();
@@ -336,7 +333,7 @@ TEST(GeometryExport, aStlFileHoldsTheTrianglesOfThePlateInMillimetres) {
 }
 
 TEST(GeometryExport, aVtpFileReadsBackWithColoursInThePlaceOfThePose) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     scene.take(test::pressed(kLayout, {{1, 0.01, 0.0, 1.0}}));
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() = Eigen::Vector3d(1.0, 2.0, 3.0);
@@ -361,7 +358,7 @@ TEST(GeometryExport, aVtpFileReadsBackWithColoursInThePlaceOfThePose) {
 }
 
 TEST(GeometryExport, aPlyFileNamesItsColours) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     scene.take(test::pressed(kLayout, {{1, 0.01, 0.0, 1.0}}));
     scene.draw();
     const QTemporaryDir folder;
@@ -376,7 +373,7 @@ TEST(GeometryExport, aPlyFileNamesItsColours) {
 }
 
 TEST(GeometryExport, errorsSayWhatIsWrongAndLeaveNoFile) {
-    TouchScene scene = makeScene();
+    TouchScene scene = test::emptyScene();
     scene.take(test::pressed(kLayout, {}));
     scene.draw();
     const QTemporaryDir folder;

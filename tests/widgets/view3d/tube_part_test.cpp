@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/camera/sample_camera.h"
-#include "widgets/base/theme.h"
+#include "tests/widgets/view3d/empty_scene.h"
 #include "widgets/view3d/scene/touch_scene.h"
 
 #include <gtest/gtest.h>
@@ -12,24 +12,8 @@ using namespace teleta;
 using pipeline::CarrierReport;
 using view3d::TouchScene;
 
-namespace {
-
-TouchScene tubeScene() {
-    return TouchScene(view3d::SceneColours(base::designedPalette(false)));
-}
-
-/// Lines among all meshes.
-vtkIdType linesIn(const TouchScene& scene) {
-    vtkIdType lines = 0;
-    for (const auto& mesh : scene.worldMeshes())
-        lines += mesh->GetNumberOfLines();
-    return lines;
-}
-
-} // namespace
-
 TEST(TubePart, isAsLargeAsItsSurfaceAndFollowsItsArm) {
-    TouchScene scene = tubeScene();
+    TouchScene scene = test::emptyScene();
     EXPECT_TRUE(scene.isEmpty());
     pipeline::CameraSnapshot snapshot = test::sampleCamera();
     EXPECT_TRUE(scene.setTube(&snapshot));
@@ -52,7 +36,7 @@ TEST(TubePart, isAsLargeAsItsSurfaceAndFollowsItsArm) {
 }
 
 TEST(TubePart, marksAContactOnTheSkinWithItsDeviation) {
-    TouchScene scene = tubeScene();
+    TouchScene scene = test::emptyScene();
     pipeline::CameraSnapshot snapshot = test::sampleCamera();
     snapshot.bump = vision::BumpDetector::Bump{.contact = 3};
     scene.setTube(&snapshot);
@@ -66,28 +50,28 @@ TEST(TubePart, marksAContactOnTheSkinWithItsDeviation) {
 }
 
 TEST(TubePart, whatNoRayMeetsAndWhatIsOnlyNoiseIsNotDrawn) {
-    TouchScene scene = tubeScene();
+    TouchScene scene = test::emptyScene();
     pipeline::CameraSnapshot snapshot = test::sampleCamera();
     scene.setTube(&snapshot);
     // Outline, way, region and one of the two vectors: the other is smaller than its deviation.
-    EXPECT_EQ(linesIn(scene), 4);
+    EXPECT_EQ(test::linesIn(scene), 4);
     scene.setDisplacementShown(false);
-    EXPECT_EQ(linesIn(scene), 3);
+    EXPECT_EQ(test::linesIn(scene), 3);
     snapshot.contacts.front().contact.located = false;
     snapshot.covariances_m2.front().setConstant(std::numeric_limits<double>::quiet_NaN());
     scene.setTube(&snapshot);
     EXPECT_TRUE(scene.tube().marks().empty());
-    EXPECT_EQ(linesIn(scene), 0);
+    EXPECT_EQ(test::linesIn(scene), 0);
 }
 
 TEST(TubePart, theRegionHoldsNinetyFivePercent) {
-    TouchScene scene = tubeScene();
+    TouchScene scene = test::emptyScene();
     pipeline::CameraSnapshot snapshot = test::sampleCamera();
     snapshot.contacts.front().contact.contour_m.clear();
     snapshot.contacts.front().p_Sensor_Start_m = snapshot.contacts.front().contact.p_Sensor_Centre_m;
     snapshot.vectors.clear();
     scene.setTube(&snapshot);
-    ASSERT_EQ(linesIn(scene), 1);
+    ASSERT_EQ(test::linesIn(scene), 1);
     for (const auto& mesh : scene.worldMeshes()) {
         if (mesh->GetNumberOfLines() == 0)
             continue;
@@ -100,7 +84,7 @@ TEST(TubePart, theRegionHoldsNinetyFivePercent) {
 }
 
 TEST(TubePart, aSurfaceThatIsNoneIsNotDrawn) {
-    TouchScene scene = tubeScene();
+    TouchScene scene = test::emptyScene();
     pipeline::CameraSnapshot snapshot = test::sampleCamera();
     snapshot.surface.radius_m = std::numeric_limits<double>::quiet_NaN();
     scene.setTube(&snapshot);
