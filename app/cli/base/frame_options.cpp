@@ -120,8 +120,8 @@ void ArrayOptions::declareLayout(CLI::App& app) {
               "FILE.toml");
 }
 
-core::Expected<std::optional<double>> ArrayOptions::newtonsPerUnit() const {
-    if (m_layoutPath.empty())
+core::Expected<std::optional<double>> ArrayOptions::newtonsPerUnit(const std::string& unit) const {
+    if (m_layoutPath.empty() || unit == "N")
         return std::optional<double>();
     return taxels::readTaxelGrid(m_layoutPath).map([](const taxels::TaxelGrid& grid) {
         return grid.newtonsPerUnit();
@@ -284,10 +284,7 @@ core::Expected<OpenFrames> openFrames(const FrameOptions& options) {
         return core::Unexpected(interruptedInstead(std::move(reader).error()));
     warnOfUnused(*reader);
     const std::string unit = reader->unit();
-    TELETA_TRY(std::optional<double> newtons, options.array.newtonsPerUnit());
-    // What the file says of its values itself is not multiplied again.
-    if (unit == "N")
-        newtons.reset();
+    TELETA_TRY(const std::optional<double> newtons, options.array.newtonsPerUnit(unit));
     const std::optional<double> gain = options.gain ? options.gain : newtons;
     OpenFrames frames{*std::move(reader), gain.value_or(1.0), gain || unit.empty() ? "N" : unit};
     if (frames.loadUnit != "N")

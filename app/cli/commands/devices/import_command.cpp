@@ -156,10 +156,7 @@ private:
         warnOfUnused(*reader);
         frames::FrameImportOptions options;
         TELETA_TRY(options.settings.conditioning, m_array.conditioning(reader->taxels(), m_path));
-        TELETA_TRY(std::optional<double> newtons, m_array.newtonsPerUnit());
-        // What the file says of its values itself is not multiplied again.
-        if (reader->unit() == "N")
-            newtons.reset();
+        TELETA_TRY(const std::optional<double> newtons, m_array.newtonsPerUnit(reader->unit()));
         options.settings.conditioning.gain = m_gain.value_or(newtons.value_or(1.0));
         options.settings.features.threshold_N = options.settings.segmentation.threshold_N = m_threshold;
         options.settings.loadUnit = m_unit.empty() && newtons && !m_gain ? "N" : m_unit;
