@@ -216,8 +216,6 @@ void ArmServo::drive(const ArmServoInput& input, ArmServoStep& step) {
 ArmServoStep ArmServo::step(const ArmServoInput& input) {
     ArmServoStep step;
     watchFrames(input);
-    if (m_tick_ns == 0)
-        m_tick_ns = input.now_ns;
     if (isRunning() && !input.held)
         end(Ending::letGo, input.now_ns);
     watchArm(input);

@@ -63,9 +63,9 @@ struct ArmServoStep {
 };
 
 /// Runs a servo task on an arm with a pad by a dead-man switch: the first press on a shadow, the second one
-/// on the arm. Rates for the arm come out only while the switch is held and driving() is true; after that one
-/// step with zeros, then nothing. Any end but letting go, and every change of the task or motion of the arm
-/// by something else, makes the next press a rehearsal again. A press that something ended, or that began
+/// on the arm. Rates for the arm come out only while the switch is held and the stage is driving; after that
+/// one step with zeros, then nothing. Any end but letting go, and every change of the task or motion of the
+/// arm by something else, makes the next press a rehearsal again. A press that something ended, or that began
 /// while something was in the way, is over until the switch has been let go. Pure: the time is an argument.
 /// Thread: one.
 class ArmServo {
