@@ -121,10 +121,11 @@ void ArrayOptions::declareLayout(CLI::App& app) {
 }
 
 core::Expected<std::optional<double>> ArrayOptions::newtonsPerUnit(const std::string& unit) const {
-    if (m_layoutPath.empty() || unit == "N")
+    if (m_layoutPath.empty())
         return std::optional<double>();
-    return taxels::readTaxelGrid(m_layoutPath).map([](const taxels::TaxelGrid& grid) {
-        return grid.newtonsPerUnit();
+    return taxels::readTaxelGrid(m_layoutPath).map([&unit](const taxels::TaxelGrid& grid) {
+        const bool alreadyInNewtons = unit == "N" && grid.unit() != unit;
+        return alreadyInNewtons ? std::nullopt : grid.newtonsPerUnit();
     });
 }
 

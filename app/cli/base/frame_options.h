@@ -44,8 +44,8 @@ struct ArrayOptions {
     [[nodiscard]] std::string tarePath() const;
     /// The file of --layout; empty: there is none.
     [[nodiscard]] const std::string& layoutPath() const { return m_layoutPath; }
-    /// N of one unit, as the file of --layout says it. unit: what the frames say of their values themselves;
-    /// those that are in N are not multiplied.
+    /// N of one unit, as the file of --layout says it. unit: that of the frames; frames that say themselves
+    /// that they are in N, although the layout has another unit, are not multiplied.
     [[nodiscard]] core::Expected<std::optional<double>> newtonsPerUnit(const std::string& unit) const;
     /// Tare, direction and dead taxels of an array. Reads the tare's file, or path, the recording, for the
     /// tare. Throws CLI::ValidationError when a dead taxel is none of the array.

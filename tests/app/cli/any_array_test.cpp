@@ -124,6 +124,24 @@ TEST_F(AnyArray, aFieldIsNeverShownInNewtons) {
     EXPECT_EQ(m_err, "");
 }
 
+TEST_F(AnyArray, newtonsThatTheFileSaysItselfAreNotMultiplied) {
+    // 2 x 3 taxels in N; in the last frame they have 6, 6.25, ... 7.25.
+    const std::string packed = TELETA_SOURCE_DIR "/tests/data/frames/packed.h5";
+    const std::string grid = "[layout]\nrows = 2\ncolumns = 3\npitch_x_mm = 4\nnewtons_per_unit = 0.5\n";
+    const std::string ofCounts = file("counts.toml", grid);
+    // Here the layout corrects newtons.
+    const std::string ofNewtons = file("newtons.toml", grid + "unit = \"N\"\n");
+    const auto force_N = [&](const std::string& frames, const std::string& layout) {
+        return std::stod(lastRow({"features", frames, "--layout", layout}).at("force_n"));
+    };
+    EXPECT_NEAR(force_N(packed, ofCounts), 39.75, 1e-5);
+    EXPECT_NEAR(force_N(packed, ofNewtons), 39.75 / 2.0, 1e-5);
+    // A table says no unit.
+    const std::string table = file("table.csv", "time_s,t0,t1,t2,t3,t4,t5\n0,1,1,1,1,1,1\n");
+    EXPECT_NEAR(force_N(table, ofCounts), 3.0, kTolerance);
+    EXPECT_NEAR(force_N(table, ofNewtons), 3.0, kTolerance);
+}
+
 TEST_F(AnyArray, aDeviceFileTurnsTheAxesOfAnotherProgramsTable) {
     // The sensor comes first with what presses, then against y, then along x; and from the right.
     const std::string frames = file("foreign.csv", "t,a,b,c,d,e,f\n0,0,0,0,0,0,0\n500,1,-0.5,0,2,0,0.375\n");
