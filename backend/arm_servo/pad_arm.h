@@ -4,7 +4,7 @@
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/arm_device.h"
 #include "backend/core/error.h"
-#include "backend/servo/servo_arm.h"
+#include "backend/servo/arm/servo_arm.h"
 
 #include <Eigen/Geometry>
 

@@ -4,9 +4,9 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/core/device/joint_vector.h"
 #include "backend/servo/active_limits.h"
+#include "backend/servo/arm/servo_arm.h"
 #include "backend/servo/contact_search.h"
 #include "backend/servo/pi_regulator.h"
-#include "backend/servo/servo_arm.h"
 #include "backend/servo/servo_phases.h"
 #include "backend/servo/servo_task.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/contact/tactile_features.h"
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 
 #include <array>
 

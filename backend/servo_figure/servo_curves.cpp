@@ -4,7 +4,7 @@
 #include "backend/core/data/csv_number.h"
 #include "backend/core/data/csv_reader.h"
 #include "backend/core/failure.h"
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 
 #include <QCoreApplication>
 #include <QDir>

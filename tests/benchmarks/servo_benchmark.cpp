@@ -7,7 +7,7 @@
 #include "backend/contact/tactile_features.h"
 #include "backend/scene/scene_reader.h"
 #include "backend/scene_run/servo/servo_measures.h"
-#include "backend/servo/lwr_arm.h"
+#include "backend/servo/arm/lwr_arm.h"
 #include "backend/simulation/servo/servo_loop.h"
 #ifdef TELETA_MUJOCO
 #include "tests/benchmarks/servo_in_mujoco.h"

@@ -4,7 +4,7 @@
 #include "backend/arm/arm4_kinematics.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/device/arm_device.h"
-#include "backend/servo/lwr_kinematics.h"
+#include "backend/servo/arm/lwr_kinematics.h"
 #include "widgets/view3d/scene/scene_types.h"
 
 #include <cstddef>

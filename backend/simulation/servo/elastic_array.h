@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/core/data/array_layout.h"
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 #include "backend/simulation/effects/housing_rim.h"
 #include "backend/simulation/servo/touched_shape.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/simulation/servo/impedance_arm.h"
 
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/servo/arm/lwr_kinematics.h"
 #include "backend/servo/cycle_times.h"
-#include "backend/servo/lwr_kinematics.h"
 #include "backend/simulation/servo/elastic_array.h"
 #include "backend/simulation/servo/lwr_inertia.h"
 #include "backend/simulation/servo/touched_shape.h"

@@ -2,7 +2,7 @@
 #include "backend/simulation/servo/servo_loop.h"
 
 #include "backend/core/steady_time.h"
-#include "backend/servo/lwr_arm.h"
+#include "backend/servo/arm/lwr_arm.h"
 
 #include <algorithm>
 #include <utility>

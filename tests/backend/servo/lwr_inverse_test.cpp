@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/servo/lwr_inverse.h"
+#include "backend/servo/arm/lwr_inverse.h"
 
 #include <Eigen/SVD>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/servo/lwr_kinematics.h"
+#include "backend/servo/arm/lwr_kinematics.h"
 
 #include <gtest/gtest.h>
 

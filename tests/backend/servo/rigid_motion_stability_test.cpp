@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 #include "backend/servo/tactile_jacobian.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "backend/servo/lwr_arm.h"
+#include "backend/servo/arm/lwr_arm.h"
 #include "backend/servo/servo_controller.h"
 #include "tests/backend/contact/allocation_count.h"
 #include "tests/backend/servo/servo_frames.h"

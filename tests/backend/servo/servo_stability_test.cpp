@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of tactile servoing and the expected behaviour.
-#include "backend/servo/lwr_arm.h"
+#include "backend/servo/arm/lwr_arm.h"
 #include "backend/servo/servo_controller.h"
 #include "tests/backend/servo/servo_frames.h"
 #include "tests/support/floating_point_traps.h"

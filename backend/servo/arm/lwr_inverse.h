@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/servo/lwr_kinematics.h"
+#include "backend/servo/arm/lwr_kinematics.h"
 
 #include <bitset>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/servo/lwr_inverse.h"
-#include "backend/servo/servo_arm.h"
+#include "backend/servo/arm/lwr_inverse.h"
+#include "backend/servo/arm/servo_arm.h"
 
 namespace teleta::servo {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

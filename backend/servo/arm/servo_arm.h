@@ -3,7 +3,7 @@
 
 #include "backend/core/device/joint_vector.h"
 #include "backend/core/interface.h"
-#include "backend/servo/rigid_motion.h"
+#include "backend/servo/arm/rigid_motion.h"
 
 #include <cstddef>
 
