@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <thread>
 #include <utility>
@@ -43,7 +44,11 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
     arm.source = &channel.device();
     arm.guarded = channel.description().guarded;
     arm.chain = channel.chain();
-    arm.angles = [&channel] { return channel.newestAngles_rad(); };
+    arm.angles = [&channel] {
+        const pipeline::JointReading reading = channel.newestReading();
+        return site_link::ArmReading{reading.angle_rad, reading.time_ns};
+    };
+    arm.oldestAngles_ns = core::staleAfter_ns(channel.description().nominalRate_Hz);
     if (!channel.description().simulated)
         arm.adapter = "none";
     if (const auto* ros = dynamic_cast<const ros_arm::RosArm*>(&channel.device())) {
@@ -51,6 +56,7 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
         arm.effortUnit = ros->file().effortUnit == ros_arm::EffortUnit::newtonMetre ? "Nm"
                          : ros->file().effortUnit == ros_arm::EffortUnit::ampere    ? "A"
                                                                                     : "none";
+        arm.oldestAngles_ns = std::llround(1e9 * ros->file().jointTimeout_s);
         arm.tipSpeed_mPerS = ros->file().limits.tipSpeed_mPerS;
         arm.tipTurn_radPerS = ros->file().limits.tipTurn_radPerS;
         arm.health = [ros] {

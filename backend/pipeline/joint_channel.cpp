@@ -92,7 +92,7 @@ const std::vector<core::JointSample>& JointChannel::takeSamples() {
     for (std::size_t waiting = joints.size(); waiting > 0 && joints.pop(sample); --waiting)
         m_taken.push_back(sample);
     if (!m_taken.empty())
-        m_newestAngles_rad.set(m_taken.back().angle_rad);
+        m_newestReading.set({m_taken.back().angle_rad, m_taken.back().time_ns});
     takeWrenches();
     return m_taken;
 }

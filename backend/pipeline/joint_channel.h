@@ -22,13 +22,19 @@ class SerialChain;
 
 namespace teleta::pipeline {
 
+/// The angles of a sample.
+struct JointReading {
+    core::JointVector angle_rad; ///< empty: none has come yet
+    std::int64_t time_ns = 0;    ///< when it was read, by the steady clock
+};
+
 /// The joints of one remote arm in the running system; of an arm without a tactile skin this is all there
 /// is, see ArmChannel for one with a skin.
 ///
 /// Three sides, one thread each:
 /// - pipeline thread: process() drains the joint samples and publishes them;
 /// - viewer (one thread, the GUI's): popSample() and the commands of device();
-/// - any thread: description(), status(), jointStatus(), chain(), meshFolder(), newestAngles_rad(), counters.
+/// - any thread: description(), status(), jointStatus(), chain(), meshFolder(), newestReading(), counters.
 class JointChannel : public Channel {
 public:
     /// Joint samples kept for a viewer that is late: 16 s at 1 kHz. What does not fit is counted.
@@ -74,7 +80,8 @@ public:
     /// The newest that the arm's sensor of force and torque measured; nothing: it has none, or nothing came.
     [[nodiscard]] std::optional<core::WrenchSample> newestWrench() const { return m_newestWrench.get(); }
     /// Of the newest sample; none before the first. Any thread.
-    [[nodiscard]] core::JointVector newestAngles_rad() const { return m_newestAngles_rad.get(); }
+    [[nodiscard]] core::JointVector newestAngles_rad() const { return newestReading().angle_rad; }
+    [[nodiscard]] JointReading newestReading() const { return m_newestReading.get(); }
     [[nodiscard]] std::uint64_t samplesNotShown() const { return m_samples.overflow(); }
     [[nodiscard]] std::uint64_t samplesProcessed() const {
         return m_samplesProcessed.load(std::memory_order_relaxed);
@@ -120,7 +127,7 @@ private:
     std::vector<core::JointSample> m_taken;
     core::BoundedQueue<core::JointSample> m_samples;
     core::LatestCopy<std::optional<core::WrenchSample>> m_newestWrench;
-    core::LatestCopy<core::JointVector> m_newestAngles_rad;
+    core::LatestCopy<JointReading> m_newestReading;
     std::atomic<std::uint64_t> m_samplesProcessed{0};
 };
 

@@ -74,12 +74,12 @@ std::optional<AskedMotion> AskedMotion::of(std::uint8_t kind, const std::string&
     return std::nullopt;
 }
 
-core::JointVector AskedMotion::rates(const SiteArm& arm) const {
+core::JointVector AskedMotion::rates(const SiteArm& arm, std::int64_t now_ns) const {
     if (m_kind == kRatesCommand)
         return m_values;
     const core::ArmDescription& description = arm.source->description();
-    const core::JointVector angle_rad = arm.angles();
-    if (angle_rad.size() != description.joints() ||
+    const auto [angle_rad, read_ns] = arm.angles();
+    if (angle_rad.size() != description.joints() || now_ns - read_ns > arm.oldestAngles_ns ||
         !std::ranges::all_of(angle_rad, [](double angle) { return std::isfinite(angle); }))
         return core::JointVector::zeros(description.joints());
     if (m_kind == kPositionsCommand)

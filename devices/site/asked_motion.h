@@ -28,12 +28,13 @@ public:
     [[nodiscard]] static std::optional<AskedMotion> of(std::uint8_t kind, const std::string& frame,
                                                        std::span<const double> values, const SiteArm& arm);
 
-    /// The joint rates in the arm's present pose; zeros as long as that is not known.
+    /// The joint rates in the arm's present pose; zeros as long as that is not known, or older than
+    /// SiteArm::oldestAngles_ns: a motion that is led by angles must not go on by those of before.
     ///   twist      arm_model::tipRates()
     ///   positions  (target - angle) / kApproach_s, all of them slowed down alike until none is faster than
     ///              its joint allows, so that the joints arrive together. The target lies within the joint's
     ///              range, and a joint that does not move is given up.
-    [[nodiscard]] core::JointVector rates(const SiteArm& arm) const;
+    [[nodiscard]] core::JointVector rates(const SiteArm& arm, std::int64_t now_ns) const;
 
 private:
     AskedMotion(std::uint8_t kind, bool isOfTip, std::span<const double> values);

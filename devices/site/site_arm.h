@@ -20,13 +20,21 @@ struct ArmHealth {
     std::uint32_t flags = 0; ///< limits that act, arm_model::MotionFlag
 };
 
+/// Where the joints of an arm were.
+struct ArmReading {
+    core::JointVector angle_rad; ///< rad or m; empty: not known yet
+    std::int64_t time_ns = 0;    ///< when, by the steady clock
+};
+
 /// An arm of a site, for those who command it and those who are told of it.
 struct SiteArm {
     std::string name;                  ///< isSiteName()
     core::ArmSource* source = nullptr; ///< not null; outlives this
     std::function<ArmHealth()> health; ///< empty: it has no faults
-    /// The newest angles, rad or m; none before the first. Any thread. Empty: nobody tells them.
-    std::function<core::JointVector()> angles;
+    /// The newest angles. Any thread. Empty: nobody tells them.
+    std::function<ArmReading()> angles;
+    /// Older ones are not where the joints are.
+    std::int64_t oldestAngles_ns = 100'000'000;
     std::shared_ptr<const arm_model::SerialChain> chain; ///< null: not known
     std::string adapter = "simulated";                   ///< "none": it is read-only
     bool guarded = true; ///< something at the robot ends a motion when nothing more comes

@@ -381,7 +381,7 @@ void SiteControl::moveArms(std::int64_t now_ns) {
         // The latest command counts until the motion lease is over, however often the console sends.
         core::ArmCommand command{core::JointVector::zeros(arm.source->description().joints()), now_ns};
         if (m_command && m_commanded == &arm)
-            command.rate_radPerS = m_command->rates(arm);
+            command.rate_radPerS = m_command->rates(arm, now_ns);
         arm.source->post(command);
     }
 }

@@ -54,7 +54,7 @@ public:
         site_link::SiteArm arm;
         arm.source = this;
         arm.chain = m_chain;
-        arm.angles = [angles] { return angles; };
+        arm.angles = [angles] { return site_link::ArmReading{angles, 0}; };
         return arm;
     }
 
@@ -137,7 +137,7 @@ bool siteMotions(Bytes bytes) {
         if (!asked || !std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
             continue;
         any = true;
-        const core::JointVector rates = asked->rates(arm.at(angles));
+        const core::JointVector rates = asked->rates(arm.at(angles), 0);
         require(rates.size() == FuzzedArm::kJoints, "each joint has a rate");
         require(std::ranges::none_of(rates, [](double rate) { return std::isnan(rate); }),
                 "a rate is a number");

@@ -17,6 +17,8 @@ using site_link::AskedMotion;
 
 namespace {
 
+constexpr std::int64_t kNow_ns = 1'000'000'000'000;
+
 /// The four-joint arm of the paper, and a chain of as many joints.
 class AskedMotionTest : public ::testing::Test {
 protected:
@@ -39,7 +41,7 @@ protected:
         EXPECT_TRUE(chain) << core::describe(chain.error());
         m_arm.source = &m_source;
         m_arm.chain = std::make_shared<const arm_model::SerialChain>(*chain);
-        m_arm.angles = [this] { return m_angles; };
+        m_arm.angles = [this] { return site_link::ArmReading{m_angles, m_read_ns}; };
     }
 
     [[nodiscard]] std::optional<AskedMotion> asked(std::uint8_t kind, std::vector<double> values,
@@ -66,6 +68,7 @@ protected:
     test::ScriptedArmSource m_source;
     site_link::SiteArm m_arm;
     JointVector m_angles{0.4, 0.7, 0.9, -0.2};
+    std::int64_t m_read_ns = kNow_ns;
 };
 
 } // namespace
@@ -73,8 +76,24 @@ protected:
 TEST_F(AskedMotionTest, ratesAreThoseOfTheJoints) {
     const auto motion = asked(site_link::kRatesCommand, {0.1, -0.2, 0.3, 0.0});
     ASSERT_TRUE(motion);
-    EXPECT_EQ(motion->rates(m_arm), (JointVector{0.1, -0.2, 0.3, 0.0}));
+    EXPECT_EQ(motion->rates(m_arm, kNow_ns), (JointVector{0.1, -0.2, 0.3, 0.0}));
     EXPECT_FALSE(asked(site_link::kRatesCommand, {0.1, -0.2, 0.3}));
+}
+
+/// Led by old angles it would go on at its rate past its target, for as long as commands come.
+TEST_F(AskedMotionTest, whatIsLedByAnglesRestsOnceTheyAreOld) {
+    const auto positions = asked(site_link::kPositionsCommand, {0.0, 0.0, 0.0, 0.0});
+    const auto twist = asked(site_link::kTwistCommand, {0.1, 0.0, 0.0, 0.0, 0.0, 0.0});
+    const auto rates = asked(site_link::kRatesCommand, {0.1, -0.2, 0.3, 0.0});
+    m_arm.oldestAngles_ns = 100'000'000;
+    m_read_ns = kNow_ns - 100'000'000;
+    const JointVector none = JointVector::zeros(4);
+    EXPECT_NE(positions->rates(m_arm, kNow_ns), none);
+    EXPECT_NE(twist->rates(m_arm, kNow_ns), none);
+    --m_read_ns;
+    EXPECT_EQ(positions->rates(m_arm, kNow_ns), none);
+    EXPECT_EQ(twist->rates(m_arm, kNow_ns), none);
+    EXPECT_EQ(rates->rates(m_arm, kNow_ns), (JointVector{0.1, -0.2, 0.3, 0.0}));
 }
 
 /// A turn about the base's axis and a motion within the plane of the arm, which four joints can do.
@@ -82,14 +101,14 @@ TEST_F(AskedMotionTest, aTwistMovesTheTipInTheFrameThatIsNamed) {
     Eigen::Vector<double, 6> wanted = tipVelocity({0.1, 0.2, -0.3, 0.15});
     const auto inBase = asked(site_link::kTwistCommand, {wanted.begin(), wanted.end()}, "base");
     ASSERT_TRUE(inBase);
-    EXPECT_LT((tipVelocity(inBase->rates(m_arm)) - wanted).norm(), 1e-6);
+    EXPECT_LT((tipVelocity(inBase->rates(m_arm, kNow_ns)) - wanted).norm(), 1e-6);
 
     const Eigen::Matrix3d R_Tip_Base = m_arm.chain->X_Base_Tip(m_angles).linear().transpose();
     Eigen::Vector<double, 6> inTip;
     inTip << R_Tip_Base * wanted.head<3>(), R_Tip_Base * wanted.tail<3>();
     const auto ofTip = asked(site_link::kTwistCommand, {inTip.begin(), inTip.end()}, "hand");
     ASSERT_TRUE(ofTip);
-    EXPECT_LT((tipVelocity(ofTip->rates(m_arm)) - wanted).norm(), 1e-6);
+    EXPECT_LT((tipVelocity(ofTip->rates(m_arm, kNow_ns)) - wanted).norm(), 1e-6);
 }
 
 TEST_F(AskedMotionTest, positionsAreReachedTogetherAndWithinTheRange) {
@@ -100,7 +119,7 @@ TEST_F(AskedMotionTest, positionsAreReachedTogetherAndWithinTheRange) {
     constexpr double kStep_s = 0.01;
     double least = 1.0;
     for (int i = 0; i < 2000; ++i) {
-        const JointVector rates = motion->rates(m_arm);
+        const JointVector rates = motion->rates(m_arm, kNow_ns);
         for (std::size_t joint = 0; joint < rates.size(); ++joint) {
             ASSERT_LE(std::abs(rates[joint]), arm.fastest_radPerS[joint] * (1.0 + 1e-12));
             m_angles[joint] += kStep_s * rates[joint];
@@ -118,7 +137,7 @@ TEST_F(AskedMotionTest, positionsAreReachedTogetherAndWithinTheRange) {
     m_angles = arm.highest_rad;
     const auto beyond = asked(site_link::kPositionsCommand, {far.begin(), far.end()});
     ASSERT_TRUE(beyond);
-    for (const double rate : beyond->rates(m_arm))
+    for (const double rate : beyond->rates(m_arm, kNow_ns))
         EXPECT_EQ(rate, 0.0);
 }
 
@@ -142,7 +161,7 @@ TEST_F(AskedMotionTest, nothingMovesWhileTheAnglesAreNotKnown) {
     for (const JointVector& unknown :
          {JointVector(), JointVector{0.0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}}) {
         m_angles = unknown;
-        EXPECT_EQ(positions->rates(m_arm), JointVector::zeros(4));
-        EXPECT_EQ(twist->rates(m_arm), JointVector::zeros(4));
+        EXPECT_EQ(positions->rates(m_arm, kNow_ns), JointVector::zeros(4));
+        EXPECT_EQ(twist->rates(m_arm, kNow_ns), JointVector::zeros(4));
     }
 }
