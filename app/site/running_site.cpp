@@ -106,7 +106,7 @@ std::string troubleOf(pipeline::Channel& channel) {
 } // namespace
 
 core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& file,
-                                                               const std::string& recordings, SiteLog& log,
+                                                               const SiteFolders& folders, SiteLog& log,
                                                                const std::function<bool()>& cancelled) {
     std::unique_ptr<RunningSite> site(new RunningSite(log));
     TELETA_CHECK(file.meeting.checkInterface());
@@ -115,6 +115,11 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     const site::BootName boot = site_link::newBootName();
     site->m_meeting = file.meeting;
     site->lookAtKeys();
+    site->m_stopMemory = std::make_unique<StopMemory>(folders.state, file.name);
+    const site::StopHolders stops = site->m_stopMemory->atStart();
+    // Devices may move by themselves before the control has begun.
+    if (stops.any())
+        site->m_stop.engage();
     TELETA_CHECK(site->openDevices(file, cancelled));
     for (const Device& device : site->m_devices) {
         if (!device.channel)
@@ -134,14 +139,26 @@ core::Expected<std::unique_ptr<RunningSite>> RunningSite::open(const SiteFile& f
     }
     TELETA_CHECK(site->startPublishing(file));
     if (file.record)
-        TELETA_CHECK(site->startRecording(file, recordings));
-    site_link::SiteSettings settings{file.name, app::version().text().toStdString(), file.supervisors,
-                                     file.times};
+        TELETA_CHECK(site->startRecording(file, folders.recordings));
+    site_link::SiteSettings settings{.name = file.name,
+                                     .version = app::version().text().toStdString(),
+                                     .supervisors = file.supervisors,
+                                     .times = file.times,
+                                     .stops = stops,
+                                     .keepStops = [raw = site.get()](const site::StopHolders& holders) {
+                                         raw->m_stopMemory->keep(holders);
+                                     }};
     TELETA_TRY(const auto streams, site->m_streams->streams());
     TELETA_TRY(site->m_control,
                site_link::SiteControl::open(
                    participant, std::move(settings), std::move(arms), streams, boot, site->m_stop,
                    [raw = site.get()](const site_link::SiteNews& news) { raw->tell(news); }));
+    if (const std::string& problem = site->m_stopMemory->problem(); !problem.empty())
+        site->tellAll({Severity::error,
+                       {},
+                       "stop_unknown",
+                       "it is not known who engaged STOP before: " + problem +
+                           "; the site is stopped until STOP is withdrawn there"});
     return site;
 }
 
@@ -325,6 +342,18 @@ void RunningSite::lookAtKeys() {
     m_keyWarnings = std::move(warnings);
 }
 
+void RunningSite::lookAtStopMemory() {
+    std::string trouble = m_stopMemory ? m_stopMemory->trouble() : std::string();
+    if (trouble == m_stopTrouble)
+        return;
+    m_stopTrouble = std::move(trouble);
+    tellAll({m_stopTrouble.empty() ? Severity::note : Severity::error,
+             {},
+             "stop_kept",
+             m_stopTrouble.empty() ? "STOP is kept for the next start again"
+                                   : "STOP is not kept for the next start: " + m_stopTrouble});
+}
+
 void RunningSite::setStop(bool engaged) {
     m_control->setStop(engaged);
     if (!engaged)
@@ -356,6 +385,7 @@ void RunningSite::poll() {
     }
     if (core::steadyNow_ns() >= m_nextKeys_ns)
         lookAtKeys();
+    lookAtStopMemory();
 }
 
 std::vector<std::string> RunningSite::problems() const {

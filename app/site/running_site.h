@@ -3,6 +3,7 @@
 
 #include "app/site/site_file.h"
 #include "app/site/site_log.h"
+#include "app/site/stop_memory.h"
 #include "backend/core/device/required_devices.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/stop_switch.h"
@@ -20,14 +21,20 @@
 
 namespace teleta::site_program {
 
+/// Where a site leaves what it writes.
+struct SiteFolders {
+    std::string recordings; ///< its own, where its file asks for them
+    std::string state;      ///< of StopMemory
+};
+
 /// The robot's end of a link while it runs: its devices, what is sent of them, and who moves the arms.
 /// Thread: one; the work is done by threads of its own.
 class RunningSite {
 public:
-    /// Opens all devices and waits for them. recordings: the folder for the site's own recording. cancelled:
-    /// looked at meanwhile. Error: that of the first device that cannot be opened; cancelled.
+    /// Opens all devices and waits for them. A STOP of the program before holds them from the start.
+    /// cancelled: looked at meanwhile. Error: that of the first device that cannot be opened; cancelled.
     [[nodiscard]] static core::Expected<std::unique_ptr<RunningSite>>
-    open(const SiteFile& file, const std::string& recordings, SiteLog& log,
+    open(const SiteFile& file, const SiteFolders& folders, SiteLog& log,
          const std::function<bool()>& cancelled);
     /// The same for a check: a device that cannot be opened is one of problems(), nothing is recorded, and
     /// no console is let in.
@@ -74,9 +81,12 @@ private:
     /// Also to the consoles.
     void tellAll(const site_link::SiteNews& news);
     void lookAtKeys();
+    void lookAtStopMemory();
 
     SiteLog& m_log;
-    core::StopSwitch m_stop; ///< of all devices
+    core::StopSwitch m_stop;                  ///< of all devices
+    std::unique_ptr<StopMemory> m_stopMemory; ///< null: a check
+    std::string m_stopTrouble;                ///< as it was told last
     std::shared_ptr<core::RequiredDevices> m_required = std::make_shared<core::RequiredDevices>();
     pipeline::TouchPipeline m_pipeline;
     std::vector<Device> m_devices;

@@ -6,6 +6,7 @@
 #include "app/site/service_manager.h"
 #include "app/site/site_file.h"
 #include "app/site/site_log.h"
+#include "app/site/stop_memory.h"
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
 
@@ -45,7 +46,7 @@ int failedWith(const core::Error& error, bool badInput) {
 
 struct Options {
     std::string path;
-    std::string recordings = ".";
+    SiteFolders folders{.recordings = ".", .state = {}};
     bool check = false;
     bool json = false;
 };
@@ -123,7 +124,7 @@ int run(const Options& options, const SiteSignals& sent) {
     const auto cancelled = [&sent] { return sent.wait(0); };
     core::Expected<std::unique_ptr<RunningSite>> site =
         options.check ? RunningSite::openForCheck(*file, log, cancelled)
-                      : RunningSite::open(*file, options.recordings, log, cancelled);
+                      : RunningSite::open(*file, options.folders, log, cancelled);
     if (!site) {
         log.flush();
         if (site.error().kind == core::ErrorKind::cancelled)
@@ -195,8 +196,13 @@ int runProgram(int argc, const char* const* argv, const SiteSignals& sent) {
     app.add_flag(
         "-j,--json", options.json,
         SiteProgramText::tr("Print the log, or what is missing, as JSON on standard output").toStdString());
-    app.add_option("--recordings", options.recordings,
+    app.add_option("--recordings", options.folders.recordings,
                    SiteProgramText::tr("Folder for recordings (record = true); default: the current one")
+                       .toStdString())
+        ->type_name("DIR");
+    app.add_option("--state", options.folders.state,
+                   SiteProgramText::tr("Folder that keeps who engages STOP, for the next start; default: "
+                                       "$STATE_DIRECTORY, otherwise ~/.local/state/teleta-site")
                        .toStdString())
         ->type_name("DIR");
     app.add_flag("--version", asksVersion, SiteProgramText::tr("Print the version").toStdString());
@@ -213,6 +219,8 @@ int runProgram(int argc, const char* const* argv, const SiteSignals& sent) {
         }
         if (site->count() == 0)
             throw CLI::RequiredError("SITE.toml");
+        if (options.folders.state.empty())
+            options.folders.state = StopMemory::usualFolder();
         return run(options, sent);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? kDone : kWrongUsage;

@@ -13,9 +13,10 @@ constexpr std::size_t kKeptAnswers = 32;
 
 } // namespace
 
-ControlArbiter::ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times)
+ControlArbiter::ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times, StopHolders stops)
     : m_supervisors(std::move(supervisors))
-    , m_times(times) {
+    , m_times(times)
+    , m_stops(std::move(stops)) {
 }
 
 bool ControlArbiter::alive(const std::string& console, std::int64_t now_ns) const {
@@ -60,7 +61,7 @@ void ControlArbiter::grant(const std::string& console, std::int64_t now_ns) {
 
 void ControlArbiter::release(std::int64_t now_ns) {
     // Who gives control up agrees to a take-over.
-    const std::string taker = m_offer && m_offer->takeOver && !isStopped() && alive(m_offer->to, now_ns)
+    const std::string taker = m_offer && m_offer->takeOver && !m_stops.any() && alive(m_offer->to, now_ns)
                                   ? m_offer->to
                                   : std::string();
     closeOffer(taker.empty() ? RequestAnswer::expired : RequestAnswer::done);
@@ -77,7 +78,7 @@ void ControlArbiter::advance(std::int64_t now_ns) {
     if (m_offer && now_ns > m_offer->until_ns) {
         const Offer offer = *m_offer;
         // Silence agrees to a take-over, unless STOP or the supervisor's own silence is in the way.
-        const bool taken = offer.takeOver && !isStopped() && alive(offer.to, now_ns);
+        const bool taken = offer.takeOver && !m_stops.any() && alive(offer.to, now_ns);
         closeOffer(taken ? RequestAnswer::done : RequestAnswer::expired);
         if (taken)
             grant(offer.to, now_ns);
@@ -91,10 +92,13 @@ bool ControlArbiter::presence(const std::string& console, const Presence& presen
     const auto found = m_consoles.find(console);
     const bool isOther = found != m_consoles.end() && found->second.boot != presence.boot;
     if (presence.stopEngaged) {
-        if (!isStopped())
+        if (!m_stops.any())
             requireNewPress();
-        m_stops.emplace(console, presence.boot);
-    } else if (m_stops.erase({console, presence.boot}) > 0) {
+        const auto ofName =
+            std::ranges::count(m_stops.consoles, console, [](const auto& stop) { return stop.first; });
+        if (std::cmp_less(ofName, kMostStopsOfName))
+            m_stops.consoles.emplace(console, presence.boot);
+    } else if (m_stops.consoles.erase({console, presence.boot}) > 0) {
         // Only the program that engaged STOP withdraws it: one that was started anew knows nothing of it.
         requireNewPress();
     }
@@ -143,7 +147,7 @@ RequestAnswer ControlArbiter::carryOut(const std::string& console, RequestKind k
         const bool takesOver = kind == RequestKind::takeOver;
         if (m_consoles.at(console).viewer || (takesOver && !isSupervisor))
             return RequestAnswer::notPermitted;
-        if (isStopped())
+        if (m_stops.any())
             return RequestAnswer::stopped;
         if (isController)
             return RequestAnswer::done;
@@ -165,7 +169,7 @@ RequestAnswer ControlArbiter::carryOut(const std::string& console, RequestKind k
     case RequestKind::offer:
         if (!isController)
             return RequestAnswer::notController;
-        if (isStopped())
+        if (m_stops.any())
             return RequestAnswer::stopped;
         if (m_offer)
             return RequestAnswer::busy;
@@ -183,7 +187,8 @@ RequestAnswer ControlArbiter::carryOut(const std::string& console, RequestKind k
     case RequestKind::withdrawStop:
         if (!isSupervisor || alive(target, now_ns))
             return RequestAnswer::notPermitted;
-        if (std::erase_if(m_stops, [&target](const auto& stop) { return stop.first == target; }) == 0)
+        if (std::erase_if(m_stops.consoles, [&target](const auto& stop) { return stop.first == target; }) ==
+            0)
             return RequestAnswer::noSuchConsole;
         requireNewPress();
         return RequestAnswer::done;
@@ -209,7 +214,7 @@ RequestAnswer ControlArbiter::answerOffer(const std::string& console, bool accep
     const bool givesUp = !accepts && console == m_offer->asker;
     if (console != answers && !givesUp)
         return RequestAnswer::notPermitted;
-    if (accepts && isStopped())
+    if (accepts && m_stops.any())
         return RequestAnswer::stopped;
     const std::string to = m_offer->to;
     closeOffer(accepts ? RequestAnswer::done : RequestAnswer::expired,
@@ -225,7 +230,7 @@ CommandRefusal ControlArbiter::judge(const std::string& console, const CommandHe
         return CommandRefusal::notController;
     if (head.epoch != m_epoch)
         return CommandRefusal::oldEpoch;
-    if (isStopped())
+    if (m_stops.any())
         return CommandRefusal::stopped;
     const Console& known = m_consoles.at(console);
     // A hold needs no press: it lets go.
@@ -282,14 +287,14 @@ void ControlArbiter::withdrawStopsOfGone(std::int64_t now_ns) {
         const auto found = m_consoles.find(stop.first);
         return !alive(stop.first, now_ns) || found == m_consoles.end() || found->second.boot != stop.second;
     };
-    if (std::erase_if(m_stops, isGone) > 0)
+    if (std::erase_if(m_stops.consoles, isGone) > 0)
         requireNewPress();
 }
 
 void ControlArbiter::setSiteStop(bool engaged) {
-    if (engaged != m_siteStop)
+    if (engaged != m_stops.site)
         requireNewPress();
-    m_siteStop = engaged;
+    m_stops.site = engaged;
 }
 
 void ControlArbiter::setFaultCause(bool present) {
@@ -301,7 +306,7 @@ void ControlArbiter::setFaultCause(bool present) {
 }
 
 Mode ControlArbiter::mode(std::int64_t now_ns) const {
-    if (isStopped())
+    if (m_stops.any())
         return Mode::stopped;
     if (m_fault)
         return Mode::fault;
@@ -322,9 +327,9 @@ std::int64_t ControlArbiter::offerLeft_ns(std::int64_t now_ns) const {
 
 std::set<std::string> ControlArbiter::stopHolders() const {
     std::set<std::string> holders;
-    for (const auto& [console, boot] : m_stops)
+    for (const auto& [console, boot] : m_stops.consoles)
         holders.insert(console);
-    if (m_siteStop)
+    if (m_stops.site)
         holders.insert(kSiteHolder);
     return holders;
 }

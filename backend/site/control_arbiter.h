@@ -77,6 +77,16 @@ struct Presence {
     bool stopEngaged = false;
 };
 
+/// Who engages STOP. It is kept for the next start of the site's program.
+struct StopHolders {
+    bool site = false; ///< somebody at the site
+    /// Consoles, with the program that did.
+    std::set<std::pair<std::string, BootName>> consoles;
+
+    [[nodiscard]] bool any() const { return site || !consoles.empty(); }
+    bool operator==(const StopHolders&) const = default;
+};
+
 /// What decides whether a command is accepted. The site looks at arm and values before.
 struct CommandHead {
     BootName boot{};
@@ -107,8 +117,12 @@ public:
     static constexpr const char* kSiteHolder = "site";
     /// A longer reason of a decline is dropped.
     static constexpr std::size_t kLongestReason_bytes = 400;
+    /// STOPs that are kept of programs of one name; as long as there are so many, a further one adds nothing.
+    static constexpr std::size_t kMostStopsOfName = 16;
 
-    explicit ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times = {});
+    /// stops: of the program of this site before.
+    explicit ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times = {},
+                            StopHolders stops = {});
 
     /// Ends the leases that are over. Call it before state is looked at, and at least every motion lease.
     void advance(std::int64_t now_ns);
@@ -143,7 +157,9 @@ public:
     [[nodiscard]] std::string offeredTo() const { return m_offer ? m_offer->to : std::string(); }
     [[nodiscard]] std::int64_t controlLeft_ns(std::int64_t now_ns) const;
     [[nodiscard]] std::int64_t offerLeft_ns(std::int64_t now_ns) const;
+    /// Their names; the site's is kSiteHolder.
     [[nodiscard]] std::set<std::string> stopHolders() const;
+    [[nodiscard]] const StopHolders& stops() const { return m_stops; }
     /// Consoles that are alive and only look.
     [[nodiscard]] std::set<std::string> viewers(std::int64_t now_ns) const;
     /// The answer to a request so far; waits when it is not known.
@@ -180,7 +196,6 @@ private:
     };
 
     [[nodiscard]] bool alive(const std::string& console, std::int64_t now_ns) const;
-    [[nodiscard]] bool isStopped() const { return m_siteStop || !m_stops.empty(); }
     RequestAnswer carryOut(const std::string& console, RequestKind kind, const std::string& target,
                            std::uint64_t id, std::int64_t now_ns);
     RequestAnswer answerOffer(const std::string& console, bool accepts, const std::string& reason,
@@ -195,9 +210,7 @@ private:
     std::set<std::string> m_supervisors;
     LeaseTimes m_times;
     std::map<std::string, Console> m_consoles;
-    std::set<std::pair<std::string, BootName>>
-        m_stops; ///< consoles that engage STOP, with the program that did
-    bool m_siteStop = false;
+    StopHolders m_stops;
     bool m_faultCause = false;
     bool m_fault = false;
 

@@ -151,8 +151,10 @@ SiteControl::SiteControl(std::shared_ptr<const dds::Participant> participant, Si
     , m_writers(std::move(writers))
     , m_discovery(std::move(discovery))
     , m_waitSet(m_participant)
-    , m_arbiter(m_settings.supervisors, m_settings.times)
-    , m_health(m_arms.size()) {
+    , m_siteStop(m_settings.stops.site)
+    , m_arbiter(m_settings.supervisors, m_settings.times, m_settings.stops)
+    , m_health(m_arms.size())
+    , m_keptStops(m_settings.stops) {
 }
 
 SiteControl::~SiteControl() {
@@ -400,6 +402,11 @@ void SiteControl::noteChanges(std::int64_t now_ns) {
         tell(Severity::note, now.controller, "granted", now.controller + " is in control");
     else if (now.controller != m_known.controller)
         tell(Severity::note, m_known.controller, "free", m_known.controller + " is no longer in control");
+    if (m_arbiter.stops() != m_keptStops) {
+        m_keptStops = m_arbiter.stops();
+        if (m_settings.keepStops)
+            m_settings.keepStops(m_keptStops);
+    }
     std::set<std::string> holders = m_arbiter.stopHolders();
     for (const std::string& holder : holders) {
         if (!m_stopHolders.contains(holder))

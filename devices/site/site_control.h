@@ -37,6 +37,9 @@ struct SiteSettings {
     std::string version; ///< of the program
     std::set<std::string> supervisors;
     site::LeaseTimes times;
+    site::StopHolders stops = {}; ///< from the program of this site before
+    /// Told whenever that changes, by the control's thread; must not wait. May be empty.
+    std::function<void(const site::StopHolders&)> keepStops = {};
 };
 
 /// Something that happened at a site, for its log and for the consoles.
@@ -134,7 +137,7 @@ private:
     Writers m_writers;
     dds::Discovery m_discovery;
     dds::WaitSet m_waitSet;
-    std::atomic<bool> m_siteStop{false};
+    std::atomic<bool> m_siteStop;
     std::atomic<bool> m_withdraws{false};
     std::mutex m_newsMutex;
     std::vector<SiteNews> m_news; ///< posted, not told yet
@@ -156,6 +159,7 @@ private:
     std::int64_t m_nextLook_ns = 0;
     SiteStatus m_known; ///< as it was told last
     std::set<std::string> m_stopHolders;
+    site::StopHolders m_keptStops;
     std::string m_keptOut; ///< why a program was, as told last
 
     std::jthread m_thread;

@@ -320,6 +320,50 @@ TEST(ControlArbiter, theStopOfAProgramThatWasStartedAnewIsThatOfOneThatVanished)
     EXPECT_EQ(site.mode(), Mode::free);
 }
 
+TEST(ControlArbiter, stopsOfTheSitesProgramBeforeHoldUntilTheirOwnersWithdrawThem) {
+    Site site;
+    site.arbiter.setSiteStop(true);
+    site.arbiter.presence("eyes", {boot(3), true, true}, site.now_ns);
+    site.arbiter.presence("one", {boot(1), false, true}, site.now_ns);
+    const StopHolders kept = site.arbiter.stops();
+
+    ControlArbiter anew({"two"}, {}, kept);
+    EXPECT_EQ(anew.mode(0), Mode::stopped);
+    EXPECT_EQ(anew.stopHolders(), (std::set<std::string>{"eyes", "one", ControlArbiter::kSiteHolder}));
+    EXPECT_EQ(anew.stops(), kept);
+    // The program of one is still there and has withdrawn its STOP meanwhile; another one of its name could
+    // not.
+    EXPECT_TRUE(anew.presence("one", {boot(9), false, false}, kMs));
+    EXPECT_TRUE(anew.stopHolders().contains("one"));
+    EXPECT_FALSE(anew.presence("one", {boot(1), false, false}, 2 * kMs)) << "the other one is there";
+    EXPECT_FALSE(anew.stopHolders().contains("one"));
+    anew.setSiteStop(false);
+    EXPECT_EQ(anew.mode(2 * kMs), Mode::stopped);
+    // A supervisor withdraws that of one who is gone.
+    EXPECT_TRUE(anew.presence("two", {boot(2), false, false}, 3 * kMs));
+    EXPECT_EQ(anew.request("two", boot(2), 1, RequestKind::request, {}, 3 * kMs), RequestAnswer::stopped);
+    EXPECT_EQ(anew.request("two", boot(2), 2, RequestKind::withdrawStop, "eyes", 3 * kMs),
+              RequestAnswer::done);
+    EXPECT_EQ(anew.mode(3 * kMs), Mode::free);
+    EXPECT_EQ(anew.stops(), StopHolders());
+}
+
+TEST(ControlArbiter, aNameThatStopsAsManyProgramsNeedsNoMoreMemory) {
+    Site site;
+    for (int i = 0; i < 255; ++i) {
+        const auto number = static_cast<std::uint8_t>(i);
+        site.arbiter.presence("two", {boot(number), false, true}, site.now_ns);
+        site.arbiter.presence("eyes", {boot(number), true, true}, site.now_ns);
+    }
+    EXPECT_EQ(site.arbiter.stops().consoles.size(), 2 * ControlArbiter::kMostStopsOfName);
+    for (std::size_t i = 0; i < 2 * ControlArbiter::kMostStopsOfName; ++i) {
+        EXPECT_EQ(site.mode(), Mode::stopped);
+        const auto [console, program] = *site.arbiter.stops().consoles.begin();
+        site.arbiter.presence(console, {program, false, false}, site.now_ns);
+    }
+    EXPECT_EQ(site.mode(), Mode::free);
+}
+
 TEST(ControlArbiter, aSecondProgramOfTheSameNameIsRefusedWhileTheFirstIsAlive) {
     Site site;
     site.ask("one", RequestKind::request);

@@ -125,7 +125,8 @@ protected:
                                          << meeting("site", peer::DelayLine::B) << devices;
         m_site = std::make_unique<LinkProgram>(
             *m_line, peer::DelayLine::A, QStringLiteral(TELETA_SITE_PROGRAM),
-            QStringList{QString::fromStdString(path("site.toml")), QStringLiteral("--json")});
+            QStringList{QString::fromStdString(path("site.toml")), QStringLiteral("--json"),
+                        QStringLiteral("--state"), m_folder->path()});
         ASSERT_TRUE(m_site->waitFor("\"ready\""));
     }
 

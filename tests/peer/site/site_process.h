@@ -67,7 +67,7 @@ public:
     void recordInto(const QString& folder) { m_recordings = folder; }
 
     void start() {
-        QStringList arguments{m_folder.filePath("site.toml"), "--json"};
+        QStringList arguments{m_folder.filePath("site.toml"), "--json", "--state", m_folder.path()};
         if (!m_recordings.isEmpty())
             arguments << "--recordings" << m_recordings;
         m_process.start(QStringLiteral(TELETA_SITE_PROGRAM), arguments, true);
@@ -75,6 +75,12 @@ public:
         m_id = m_process.processId();
     }
     void kill() { m_process.kill(); }
+    /// Whether its log had a line with this text until it was ready.
+    [[nodiscard]] bool said(const std::string& text) {
+        return std::ranges::any_of(m_process.takeLines(), [&text](const std::string& line) {
+            return line.find(text) != std::string::npos;
+        });
+    }
     void send(int signal) const { ASSERT_EQ(::kill(static_cast<pid_t>(m_id), signal), 0); }
 
     /// The file with which a console reaches it.
