@@ -33,6 +33,10 @@ public:
     /// What to send now, every kPeriod_ns.
     [[nodiscard]] Send step(std::int64_t now_ns);
 
+    /// A view asks for a motion, and has not fallen silent since.
+    [[nodiscard]] bool isHeld() const { return m_held; }
+    /// It was held through STOP, and still is.
+    [[nodiscard]] bool isBlocked() const { return m_blocked; }
     /// How often the switch was pressed. Only one that was let go can be pressed again: a view that goes on
     /// after it has hung, with the switch still held, makes no new press, and the site does not move by it.
     [[nodiscard]] std::uint32_t press() const { return m_press; }

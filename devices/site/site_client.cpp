@@ -153,6 +153,8 @@ std::string hindranceOf(const SiteView& view, const std::string& console, const 
         return text(SiteClientText::tr("the site has no such arm any more"));
     if (view.mode == Mode::fault && found->message.empty())
         return text(SiteClientText::tr("an arm had a fault; clear it first"));
+    if (found->message.empty() && view.pressAnew)
+        return text(SiteClientText::tr("let go of the dead-man switch and press it again"));
     return found->message;
 }
 
@@ -358,6 +360,7 @@ void SiteClient::take(const ros::SiteState& state, std::int64_t now_ns) {
     m_now.refused = state.commands_refused;
     m_now.lastRefusal = atMost(state.last_refusal, site::CommandRefusal::otherBoot);
     countRefusals();
+    judgePress(now_ns);
     m_now.arms.clear();
     for (const ros::ArmState& arm : ros::view(state.arms))
         m_now.arms.push_back(
@@ -409,6 +412,20 @@ void SiteClient::countRefusals() {
     if (m_refused && m_now.refused > *m_refused)
         m_now.refusedBy[static_cast<std::size_t>(m_now.lastRefusal)] += m_now.refused - *m_refused;
     m_refused = m_now.refused;
+}
+
+/// A state tells how many commands were refused, not which: those of the press before may be among them until
+/// the loop is over once.
+void SiteClient::judgePress(std::int64_t now_ns) {
+    if (!m_hand.isHeld() || core::elapsed_s(m_pressed_ns, now_ns) < (m_now.loops ? m_now.loops->slow_s : 0.0))
+        return;
+    const Counted counted{m_now.accepted,
+                          m_now.refusedBy[static_cast<std::size_t>(site::CommandRefusal::pressAnew)]};
+    if (m_sincePress && counted.accepted != m_sincePress->accepted)
+        m_now.pressAnew = false;
+    else if (m_sincePress && counted.pressAnew != m_sincePress->pressAnew)
+        m_now.pressAnew = true;
+    m_sincePress = counted;
 }
 
 void SiteClient::tellPresence(std::int64_t now_ns) {
@@ -532,6 +549,11 @@ void SiteClient::command(std::int64_t now_ns) {
     const bool wasEngaged = std::exchange(m_engagements, engagements) != engagements;
     if (m_stop.engaged() || wasEngaged || leaves())
         m_hand.stop();
+    if (std::exchange(m_press, m_hand.press()) != m_hand.press() || !m_hand.isHeld()) {
+        m_pressed_ns = now_ns;
+        m_sincePress.reset();
+        m_now.pressAnew = m_hand.isBlocked();
+    }
     if (now_ns < m_nextCommand_ns)
         return;
     const site::OperatorHand::Send send = m_hand.step(now_ns);

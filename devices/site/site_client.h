@@ -94,6 +94,9 @@ struct SiteView {
     std::optional<LoopTimes> loops;             ///< of the last kLoops probes
     std::uint64_t clockJumps = 0;
     std::optional<RequestOutcome> request;
+    /// The switch of this console is held, but moves nothing until it is let go and pressed again: after a
+    /// grant, a hand-over, STOP, a fault, or a pause of the link.
+    bool pressAnew = false;
     bool granted = false; ///< this program was given control; else a controller of its name is an earlier one
     std::uint64_t boots = 0; ///< how often the site was started while this console looked
 
@@ -216,6 +219,7 @@ private:
     void findConsoles(std::int64_t now_ns);
     void listenToOthers();
     void countRefusals();
+    void judgePress(std::int64_t now_ns);
     void command(std::int64_t now_ns);
     void publish(std::int64_t now_ns);
     [[nodiscard]] bool leaves() const {
@@ -258,6 +262,15 @@ private:
         m_others;                           ///< nothing: not allowed
     std::optional<std::uint64_t> m_refused; ///< as the last state of this program of the site told
     site::OperatorHand m_hand;
+    /// What the site had counted at its last state since the switch was pressed. Nothing: the switch is not
+    /// held, or what is refused may still be from before.
+    struct Counted {
+        std::uint64_t accepted = 0;
+        std::uint64_t pressAnew = 0;
+    };
+    std::optional<Counted> m_sincePress;
+    std::uint32_t m_press = 0; ///< that m_pressed_ns is of
+    std::int64_t m_pressed_ns = 0;
     std::uint64_t m_engagements = 0; ///< of STOP, that the hand knows of
     Posted m_newest;
     std::uint64_t m_commandNumber = 0;

@@ -20,6 +20,7 @@ using test::TestConsole;
 
 constexpr const char* kPractice = "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n";
 constexpr double kRate_radPerS = 0.3;
+constexpr const char* kPressAnew = "let go of the dead-man switch and press it again";
 
 /// The program of the simulated arm ends with the first jog; then the arm rests unless somebody moves it.
 void takeOver(TestConsole& console) {
@@ -47,7 +48,9 @@ TEST(Site, nobodyMovesAnArmWithoutControl) {
     ASSERT_TRUE(TestConsole::eventually([&] { return console.view().refused > refused + 10; }));
     EXPECT_EQ(console.view().lastRefusal, site::CommandRefusal::pressAnew);
     EXPECT_EQ(console.view().accepted, 0U);
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.hindrance() == kPressAnew; }));
     console.letGo();
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); }));
     console.press(kRate_radPerS);
     EXPECT_TRUE(console.moves());
     EXPECT_GT(console.view().accepted, 0U);
@@ -116,7 +119,17 @@ TEST(Site, stopOfAViewerHoldsUntilItIsWithdrawn) {
     EXPECT_TRUE(console.controls());
     // The switch was held through all of it.
     EXPECT_TRUE(console.rests(300ms));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.hindrance() == kPressAnew; }));
     console.letGo();
+    // STOP of its own, too: nothing is sent then, and nothing refused.
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    console.stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
+    console.stop().release();
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.hindrance() == kPressAnew; }));
+    console.letGo();
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); }));
     console.press(kRate_radPerS);
     EXPECT_TRUE(console.moves());
 }
@@ -146,6 +159,83 @@ TEST(Site, stopAtTheSiteHoldsTheArmsAndItsWithdrawalFreesWhatAGoneConsoleHolds) 
     EXPECT_EQ(console.view().mode, Mode::stopped);
     site.send(SIGUSR2);
     EXPECT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::held; }));
+}
+
+/// What is on disk of a site's STOP, as the next start reads it.
+bool isKept(SiteProcess& site, bool stopOfSite, std::size_t consoles) {
+    std::ifstream file(site.folder().filePath("lab-stop.json").toStdString());
+    const auto kept = nlohmann::json::parse(file, nullptr, false);
+    return kept.is_object() && kept["site"] == stopOfSite && kept["consoles"].size() == consoles;
+}
+
+TEST(Site, oneThatIsKilledWhileItIsStoppedStartsStopped) {
+    SiteProcess site(152, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    takeOver(console);
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    site.send(SIGUSR1);
+    ASSERT_TRUE(TestConsole::eventually([&] { return isKept(site, true, 0); }));
+    // The second start finds what the first one found.
+    for (int starts = 0; starts < 2; ++starts) {
+        site.kill();
+        ASSERT_TRUE(TestConsole::eventually([&] { return !console.view().reached; }));
+        site.start();
+        ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
+        EXPECT_EQ(console.view().mode, Mode::stopped);
+        EXPECT_EQ(console.view().stopHolders, std::vector<std::string>{"site"});
+        EXPECT_EQ(console.ask(RequestKind::request), RequestAnswer::stopped);
+        // The switch is held all the time, and the program of the simulated arm would move it, too.
+        EXPECT_TRUE(console.rests(300ms));
+    }
+    console.letGo();
+    site.send(SIGUSR2);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::free; }));
+    ASSERT_TRUE(TestConsole::eventually([&] { return isKept(site, false, 0); }));
+    site.kill();
+    ASSERT_TRUE(TestConsole::eventually([&] { return !console.view().reached; }));
+    site.start();
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
+    EXPECT_EQ(console.view().mode, Mode::free);
+    takeOver(console);
+}
+
+TEST(Site, stopsOfConsolesOutliveItsProgram) {
+    SiteProcess site(153, kPractice);
+    site.start();
+    TestConsole boss(site, "boss");
+    TestConsole console(site, "a");
+    auto viewer = std::make_unique<TestConsole>(site, "v", true);
+    viewer->stop().engage();
+    console.stop().engage();
+    ASSERT_TRUE(TestConsole::eventually([&] { return isKept(site, false, 2); }));
+    viewer.reset();
+    site.kill();
+    ASSERT_TRUE(TestConsole::eventually([&] { return !boss.view().reached; }));
+    // Withdrawn while nobody listens: its presence tells it later.
+    console.stop().release();
+    site.start();
+    ASSERT_TRUE(TestConsole::eventually([&] { return boss.view().reached; }));
+    EXPECT_TRUE(
+        TestConsole::eventually([&] { return boss.view().stopHolders == std::vector<std::string>{"v"}; }));
+    EXPECT_EQ(boss.view().mode, Mode::stopped);
+    EXPECT_EQ(boss.ask(RequestKind::withdrawStop, "v"), RequestAnswer::done);
+    EXPECT_TRUE(TestConsole::eventually([&] { return boss.view().mode == Mode::free; }));
+    EXPECT_TRUE(TestConsole::eventually([&] { return isKept(site, false, 0); }));
+}
+
+TEST(Site, aDamagedFileOfItsStopIsStopAndIsSaid) {
+    SiteProcess site(154, kPractice);
+    std::ofstream(site.folder().filePath("lab-stop.json").toStdString()) << R"({"version": 1, "site": fal)";
+    site.start();
+    TestConsole console(site, "a");
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.view().reached; }));
+    EXPECT_EQ(console.view().stopHolders, std::vector<std::string>{"site"});
+    EXPECT_TRUE(site.said("stop_unknown"));
+    site.send(SIGUSR2);
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::free; }));
+    takeOver(console);
 }
 
 /// The arms go on, and the consoles are told.
