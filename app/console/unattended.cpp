@@ -5,6 +5,7 @@
 #include "app/console/process_times.h"
 #include "app/console/study/study_page.h"
 #include "backend/pipeline/camera_channel.h"
+#include "backend/pipeline/touch_channel.h"
 
 #include <QApplication>
 #include <QJsonArray>
@@ -84,11 +85,15 @@ void Unattended::printMeasurement() {
         if (!item.isOpen())
             continue;
         const core::DeviceStatus status = item.channel->status();
-        sources.append(QJsonObject{{"name", item.name},
-                                   {"rate_hz", status.rate_Hz},
-                                   {"frames_processed", static_cast<qint64>(item.channel->framesProcessed())},
-                                   {"frames_lost", static_cast<qint64>(status.framesLost)},
-                                   {"frames_displayed", static_cast<qint64>(item.displayed)}});
+        const auto array = item.array();
+        const bool isCounted = !array || array->countsLosses() || status.framesLost > 0;
+        sources.append(
+            QJsonObject{{"name", item.name},
+                        {"rate_hz", status.rate_Hz},
+                        {"frames_processed", static_cast<qint64>(item.channel->framesProcessed())},
+                        {"frames_lost", isCounted ? QJsonValue(static_cast<qint64>(status.framesLost))
+                                                  : QJsonValue(QJsonValue::Null)},
+                        {"frames_displayed", static_cast<qint64>(item.displayed)}});
     }
     QJsonObject document{{"first_window_s", m_firstWindow_s},
                          {"first_window_processor_s", m_firstWindowProcessor_s},

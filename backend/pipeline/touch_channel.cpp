@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/pipeline/touch_channel.h"
 
+#include "backend/core/device/loss_counting.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
@@ -54,6 +55,11 @@ TouchChannel::~TouchChannel() {
 ChannelSummary TouchChannel::summary() const {
     const core::SourceDescription& description = m_source->description();
     return {description.name, description.nominalRate_Hz, description.simulated, description.recorded};
+}
+
+bool TouchChannel::countsLosses() const {
+    const auto* counting = dynamic_cast<const core::LossCounting*>(m_source.get());
+    return counting == nullptr || counting->countsLosses();
 }
 
 void TouchChannel::drain() {

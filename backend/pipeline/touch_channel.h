@@ -59,6 +59,8 @@ public:
     void setLoads(std::optional<FrameLoads> loads) { m_loads = std::move(loads); }
     [[nodiscard]] ChannelSummary summary() const override;
     [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
+    /// Whether it can be known how many frames the sensor lost (core::LossCounting).
+    [[nodiscard]] bool countsLosses() const;
     [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }
     [[nodiscard]] const std::shared_ptr<servo::ServoLink>& servo() const { return m_servo; }
 

@@ -4,6 +4,7 @@
 #include "backend/core/device/backoff.h"
 #include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
+#include "backend/core/device/loss_counting.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
@@ -41,7 +42,7 @@ struct TaxelsCounters {
 /// Values are in the file's unit; places without a taxel are NaN. A file is played at its rate, or as fast as
 /// its frames are taken. Thread: open, start and stop from one controlling thread, counters from any;
 /// otherwise as core::TactileSource.
-class TaxelsDevice : public core::TactileSource, public core::ChipThermometers {
+class TaxelsDevice : public core::TactileSource, public core::ChipThermometers, public core::LossCounting {
 public:
     /// Opens the link and sends the greeting. Error: as link::ByteLink::open.
     [[nodiscard]] static core::Expected<std::unique_ptr<TaxelsDevice>> open(TaxelsFile file);
@@ -56,6 +57,8 @@ public:
     [[nodiscard]] core::BoundedQueue<core::TemperatureSample>& temperatures() override {
         return m_temperatures;
     }
+
+    [[nodiscard]] bool countsLosses() const override { return taxels::countsLosses(m_file.format); }
 
     [[nodiscard]] TaxelsCounters counters() const { return m_published.get(); }
 

@@ -281,7 +281,8 @@ QString DeviceStrip::toolTipText(const Cell& cell) const {
         reading.name,
         tr("State: %1").arg(base::statusWord(reading.state)),
         tr("Rate: %1 Hz").arg(base::fixedDigits(reading.rate_Hz, 1)),
-        tr("Frames lost: %1").arg(reading.lost),
+        reading.countsLosses || reading.lost > 0 ? tr("Frames lost: %1").arg(reading.lost)
+                                                 : tr("Frames lost: not counted by the sensor"),
         tr("Frames displayed: %1").arg(reading.displayed),
         tr("Age of the newest frame: %1").arg(base::ageText(reading.age_s)),
     };

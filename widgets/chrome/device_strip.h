@@ -22,6 +22,7 @@ struct DeviceReading {
     double age_s = 0.0;                                  ///< of the newest data
     double rate_Hz = 0.0;                                ///< achieved
     std::uint64_t lost = 0;
+    bool countsLosses = true; ///< false: the sensor cannot tell how many frames it lost
     std::uint64_t displayed = 0;
     std::optional<double> latency_s;     ///< from sensor read to screen
     std::optional<double> touchToSkin_s; ///< of a bracelet: from the last touch to its pattern

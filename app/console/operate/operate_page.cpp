@@ -49,6 +49,8 @@ chrome::DeviceReading readingOf(const core::DeviceStatus& status, const SourceMa
     reading.age_s = status.lastData_ns > 0 ? static_cast<double>(now_ns - status.lastData_ns) * 1e-9 : 0.0;
     reading.rate_Hz = status.rate_Hz;
     reading.lost = status.framesLost;
+    if (const auto array = item.array())
+        reading.countsLosses = array->countsLosses();
     reading.details = QString::fromStdString(status.message);
     return reading;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chrome/device_strip.h"
 
+#include <QApplication>
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 using teleta::base::Provenance;
 using teleta::chrome::DeviceReading;
@@ -31,6 +34,27 @@ private slots:
         for (const char* part : {"array", "live", "200", "Hz", "1.23", "lost"})
             QVERIFY2(text.contains(QLatin1String(part)), qPrintable(text));
         QVERIFY(strip.accessibleDescription().contains("array"));
+    }
+
+    void saysThatTheSensorDoesNotCountItsLosses() {
+        DeviceStrip strip;
+        strip.resize(400, 40);
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        const auto toolTip = [&strip](const DeviceReading& reading) {
+            strip.setReadings({reading});
+            const QPoint inside(5, strip.height() / 2);
+            QHelpEvent help(QEvent::ToolTip, inside, strip.mapToGlobal(inside));
+            QApplication::sendEvent(&strip, &help);
+            return QToolTip::text();
+        };
+        DeviceReading skin = live("skin");
+        QVERIFY2(toolTip(skin).contains("Frames lost: 0"), qPrintable(QToolTip::text()));
+        skin.countsLosses = false;
+        QVERIFY2(toolTip(skin).contains("Frames lost: not counted by the sensor"),
+                 qPrintable(QToolTip::text()));
+        skin.lost = 3; // here, after they had arrived
+        QVERIFY2(toolTip(skin).contains("Frames lost: 3"), qPrintable(QToolTip::text()));
     }
 
     void saysHowLongAfterATouchTheSkinFeltIt() {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace teleta::core {
+
+/// A source of which it may be unknown how many frames it lost on the way: the sensor neither counts them nor
+/// tells their times. Sources without this interface know it. Thread: any.
+class LossCounting {
+public:
+    virtual ~LossCounting() = default;
+    /// False: DeviceStatus::framesLost counts only what was lost after it had arrived.
+    [[nodiscard]] virtual bool countsLosses() const = 0;
+};
+
+} // namespace teleta::core
