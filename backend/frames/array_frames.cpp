@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace teleta::frames {
@@ -289,6 +290,62 @@ core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead
     return layout;
 }
 
+/// Places of taxels along an axis, from the middle between the outermost ones, in m.
+std::vector<double> fromTheMiddle(std::vector<double> places_m) {
+    const auto [lowest, highest] = std::ranges::minmax(places_m);
+    for (double& place_m : places_m)
+        place_m -= std::midpoint(lowest, highest);
+    return places_m;
+}
+
+/// Refuses positions_m, taxels x 3, when a taxel stands more than a tenth of the pitch beside its place in
+/// the layout. Where the origin is does not matter.
+core::Expected<void> comparePlaces(ArrayFile& file, std::size_t array, const core::TaxelLayout& known) {
+    constexpr std::size_t kAxes = 3;
+    constexpr double kShare = 0.1;
+    const std::size_t taxels = known.taxels();
+    const ArrayHead head = file.arrays()[array];
+    const QString expected = ArrayFramesText::tr("the layout with which the frames were recorded");
+    if (!head.problem.empty() || head.shape != std::vector<std::uint64_t>{taxels, kAxes})
+        return wrong(file.path(),
+                     ArrayFramesText::tr("positions_m has the shape %1, but the layout has %2 taxels")
+                         .arg(QString::fromStdString(shapeText(head.shape)))
+                         .arg(taxels),
+                     expected);
+    TELETA_TRY(const std::vector<double> values, readVector(file, array));
+    if (values.size() != kAxes * taxels)
+        return wrong(file.path(),
+                     ArrayFramesText::tr("the array has %1 instead of %2 values")
+                         .arg(values.size())
+                         .arg(kAxes * taxels),
+                     ArrayFramesText::tr("a whole file"));
+    std::array<std::vector<double>, kAxes> told;
+    std::array<std::vector<double>, kAxes> laid;
+    for (std::size_t i = 0; i < taxels; ++i) {
+        for (std::size_t axis = 0; axis < kAxes; ++axis)
+            told.at(axis).push_back(values[head.isColumnMajor ? axis * taxels + i : i * kAxes + axis]);
+        laid[0].push_back(known.x_m(i));
+        laid[1].push_back(known.y_m(i));
+        laid[2].push_back(known.isGrid() ? 0.0 : (*known.places())[i].z_m);
+    }
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const std::vector<double> file_m = fromTheMiddle(std::move(told.at(axis)));
+        const std::vector<double> layout_m = fromTheMiddle(std::move(laid.at(axis)));
+        for (std::size_t i = 0; i < taxels; ++i)
+            if (!(std::abs(file_m[i] - layout_m[i]) <= kShare * known.pitch_m()))
+                return wrong(
+                    file.path(),
+                    ArrayFramesText::tr("positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm",
+                                        "a number, x, y or z, two places")
+                        .arg(i)
+                        .arg(QLatin1Char("xyz"[axis]))
+                        .arg(1e3 * file_m[i], 0, 'g', 4)
+                        .arg(1e3 * layout_m[i], 0, 'g', 4),
+                    expected);
+    }
+    return {};
+}
+
 } // namespace
 
 core::Expected<core::ArrayLayout> layoutOf(const FrameRequest& request, std::uint64_t taxels,
@@ -377,7 +434,8 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
     TELETA_TRY(const FrameAxis axis, axisOf(file, head, request, times_s));
 
     FrameSeries series;
-    const bool hasPlaces = namedBeside(file, array, "positions_m").has_value();
+    const auto places = namedBeside(file, array, "positions_m");
+    const bool hasPlaces = places.has_value();
     if (hasPlaces && !request.known && !request.rows && !request.columns)
         return wrong(file.path(), ArrayFramesText::tr("the taxels have places of their own, in positions_m"),
                      ArrayFramesText::tr("the file that says where the taxels are (--layout FILE.toml)"));
@@ -391,6 +449,8 @@ core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& reques
                 file.path(),
                 ArrayFramesText::tr("a frame of the array has %1 numbers").arg(series.layout.taxels()),
                 ArrayFramesText::tr("%1, as the layout has them").arg(wanted));
+        if (places)
+            TELETA_CHECK(comparePlaces(file, *places, known));
     }
     const std::uint64_t frames = axis == FrameAxis::first ? head.shape.front() : head.shape.back();
     if (frames == 0)

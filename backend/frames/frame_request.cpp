@@ -55,6 +55,11 @@ std::string textOf(const std::vector<ColumnRange>& ranges) {
     return text;
 }
 
+std::optional<double> usualThreshold(std::string_view unit) {
+    constexpr double kUsual = 0.2;
+    return unit.empty() || unit == "N" || unit == "counts" ? std::optional(kUsual) : std::nullopt;
+}
+
 std::string familyOf(const std::string& path) {
     QFile file(QString::fromStdString(path));
     if (!QFileInfo(file).isFile() || !file.open(QIODevice::ReadOnly))

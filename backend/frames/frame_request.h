@@ -54,7 +54,14 @@ struct FrameRequest {
     std::vector<ColumnRange> taxelColumns{}; ///< of a table of another program
     std::string timeColumn{};                ///< of such a table: its name, or its number from 1
     std::string timeUnit{};                  ///< s, ms, us, ns, or iso; empty: as the name says
+    /// Load from which a taxel is in contact, in the unit of the values. Reading does not heed it.
+    std::optional<double> threshold{};
 };
+
+/// The load from which a taxel is in contact where nobody says it: 0.2 N, a single count, and the same for
+/// values whose unit is not known. Nothing for other units: noise may be far above it there. Thread: any
+/// (pure).
+[[nodiscard]] std::optional<double> usualThreshold(std::string_view unit);
 
 /// Columns of a table as text, "2..85" or "2..10,12"; nothing for another text. Thread: any (pure).
 [[nodiscard]] std::optional<std::vector<ColumnRange>> columnRangesOf(std::string_view text);

@@ -8,24 +8,20 @@
 
 namespace teleta::taxels {
 
-namespace {
+void LayoutFile::describeKeys(core::Keys& keys) {
+    keys.number("threshold", threshold, core::NumberRange::positive(),
+                "Load above which a taxel counts as touched");
+    keys.table("layout", "Where the taxels are", core::Need::required,
+               [this](core::Keys& table) { grid.describeKeys(table); });
+}
 
-struct LayoutFile {
-    TaxelGrid grid;
-
-    void describeKeys(core::Keys& keys) {
-        keys.table("layout", "Where the taxels are", core::Need::required,
-                   [this](core::Keys& table) { grid.describeKeys(table); });
-    }
-};
-
-} // namespace
-
-core::Expected<TaxelGrid> readTaxelGrid(const std::string& path) {
+core::Expected<LayoutFile> readLayout(const std::string& path) {
     TELETA_TRY(const auto document, core::TomlDocument::open(path));
     if (document.root().has("kind"))
-        return readTaxels(path).map([](TaxelsFile file) { return std::move(file.grid); });
-    return core::readKeys<LayoutFile>(document).map([](LayoutFile file) { return std::move(file.grid); });
+        return readTaxels(path).map([](TaxelsFile file) {
+            return LayoutFile{std::move(file.grid), file.threshold};
+        });
+    return core::readKeys<LayoutFile>(document);
 }
 
 } // namespace teleta::taxels

@@ -123,10 +123,29 @@ void ArrayOptions::declareLayout(CLI::App& app) {
 core::Expected<std::optional<double>> ArrayOptions::newtonsPerUnit(const std::string& unit) const {
     if (m_layoutPath.empty())
         return std::optional<double>();
-    return taxels::readTaxelGrid(m_layoutPath).map([&unit](const taxels::TaxelGrid& grid) {
-        const bool alreadyInNewtons = unit == "N" && grid.unit() != unit;
-        return alreadyInNewtons ? std::nullopt : grid.newtonsPerUnit();
+    return taxels::readLayout(m_layoutPath).map([&unit](const taxels::LayoutFile& file) {
+        const bool alreadyInNewtons = unit == "N" && file.grid.unit() != unit;
+        return alreadyInNewtons ? std::nullopt : file.grid.newtonsPerUnit();
     });
+}
+
+core::Expected<double> ArrayOptions::threshold(const std::optional<double>& given,
+                                               const std::string& unit) const {
+    if (given)
+        return *given;
+    if (!m_layoutPath.empty()) {
+        TELETA_TRY(const taxels::LayoutFile file, taxels::readLayout(m_layoutPath));
+        if (file.threshold && file.grid.loadUnit() == unit)
+            return *file.threshold;
+    }
+    const std::optional<double> usual = frames::usualThreshold(unit);
+    if (!usual)
+        refuse(
+            "--threshold",
+            FrameOptionText::tr("the loads are in %1: write from how many %1 a taxel is in contact, such as "
+                                "five times the noise at rest")
+                .arg(QString::fromStdString(unit)));
+    return *usual;
 }
 
 core::Expected<frames::FrameRequest> ArrayOptions::request(const std::string& path) const {
@@ -135,7 +154,8 @@ core::Expected<frames::FrameRequest> ArrayOptions::request(const std::string& pa
         if (m_rowsOption->count() > 0 || m_pitchOption->count() > 0 ||
             (!m_columns.empty() && !isRange(m_columns)))
             refuse("--layout", FrameOptionText::tr("it says rows, columns and pitch itself"));
-        TELETA_TRY(taxels::TaxelGrid grid, taxels::readTaxelGrid(m_layoutPath));
+        TELETA_TRY(taxels::LayoutFile file, taxels::readLayout(m_layoutPath));
+        taxels::TaxelGrid& grid = file.grid;
         request.known = {.layout = grid.layout(), .numbers = grid.values(), .place{}, .unit = grid.unit()};
         request.known->place = [grid = std::move(grid)](std::span<const float> numbers,
                                                         std::span<float> frame) {
@@ -224,8 +244,11 @@ void FrameOptions::declare(CLI::App& app) {
         ->required();
     array.declare(app);
     array.declareLayout(app);
-    addOption(app, "-t,--threshold", threshold_N,
-              FrameOptionText::tr("Load in N from which a taxel is in contact"), positive());
+    addOption(app, "-t,--threshold", threshold,
+              FrameOptionText::tr("Load from which a taxel is in contact, in N or the unit of the file; 0.2 "
+                                  "unless that is another one than N and counts"),
+              "LOAD")
+        ->check(positive());
     addOption(app, "--gain", gain, FrameOptionText::tr("N per raw unit"))->check(nonZero());
     addOption(app, "--gains", gainsPath,
               FrameOptionText::tr("Gains of the taxels, as \"teleta gains\" writes them"), "GAINS.csv");
@@ -256,7 +279,7 @@ void FrameOptions::declare(CLI::App& app) {
 }
 
 contact::FeatureSettings FrameOptions::featureSettings() const {
-    return {.threshold_N = threshold_N,
+    return {.threshold_N = threshold.value_or(contact::FeatureSettings{}.threshold_N),
             .automaticThreshold = automaticThreshold,
             .orientation =
                 weighted ? contact::OrientationMode::weighted : contact::OrientationMode::binarised,
@@ -264,7 +287,9 @@ contact::FeatureSettings FrameOptions::featureSettings() const {
 }
 
 contact::SegmentationSettings FrameOptions::segmentationSettings() const {
-    return {.threshold_N = threshold_N, .noiseHeight = noiseHeight, .minimumTaxels = minimumTaxels};
+    return {.threshold_N = threshold.value_or(contact::SegmentationSettings{}.threshold_N),
+            .noiseHeight = noiseHeight,
+            .minimumTaxels = minimumTaxels};
 }
 
 void warnOfUnused(const frames::FrameReader& frames) {
@@ -276,7 +301,7 @@ void warnOfUnused(const frames::FrameReader& frames) {
                  .arg(names.join(QStringLiteral(", "))));
 }
 
-core::Expected<OpenFrames> openFrames(const FrameOptions& options) {
+core::Expected<OpenFrames> openFrames(FrameOptions& options) {
     refuseToReplace(options.output.outPath, std::array{options.path, options.array.tarePath(),
                                                        options.gainsPath, options.array.layoutPath()});
     TELETA_TRY(const frames::FrameRequest request, options.array.request(options.path));
@@ -291,6 +316,7 @@ core::Expected<OpenFrames> openFrames(const FrameOptions& options) {
     if (frames.loadUnit != "N")
         warn(FrameOptionText::tr("The values are in %1, not in N: give the N of one unit with --gain.")
                  .arg(QString::fromStdString(unit)));
+    TELETA_TRY(options.threshold, options.array.threshold(options.threshold, frames.loadUnit));
     return frames;
 }
 

@@ -37,7 +37,7 @@ struct ArrayOptions {
     /// The option --layout, of commands that take any array.
     void declareLayout(CLI::App& app);
 
-    /// What is known of a file of frames. Error: as taxels::readTaxelGrid(). Throws CLI::ValidationError when
+    /// What is known of a file of frames. Error: as taxels::readLayout(). Throws CLI::ValidationError when
     /// the options do not fit each other.
     [[nodiscard]] core::Expected<frames::FrameRequest> request(const std::string& path) const;
     /// The file of --tare; empty: there is none.
@@ -47,6 +47,10 @@ struct ArrayOptions {
     /// N of one unit, as the file of --layout says it. unit: that of the frames; frames that say themselves
     /// that they are in N, although the layout has another unit, are not multiplied.
     [[nodiscard]] core::Expected<std::optional<double>> newtonsPerUnit(const std::string& unit) const;
+    /// The threshold of loads in this unit: the given one, or that of --layout, or the usual one. Throws
+    /// CLI::ValidationError when there is none of these.
+    [[nodiscard]] core::Expected<double> threshold(const std::optional<double>& given,
+                                                   const std::string& unit) const;
     /// Tare, direction and dead taxels of an array. Reads the tare's file, or path, the recording, for the
     /// tare. Throws CLI::ValidationError when a dead taxel is none of the array.
     [[nodiscard]] core::Expected<contact::ConditioningSettings> conditioning(const core::TaxelLayout& layout,
@@ -76,9 +80,9 @@ void refuseToReplace(const std::string& output, std::span<const std::string> inp
 struct FrameOptions {
     std::string path;
     ArrayOptions array;
-    double threshold_N = 0.2;
-    std::optional<double> gain; ///< N of one unit
-    std::string gainsPath;      ///< of the taxels
+    std::optional<double> threshold; ///< in the unit of the loads; see openFrames()
+    std::optional<double> gain;      ///< N of one unit
+    std::string gainsPath;           ///< of the taxels
     bool weighted = false;
     bool automaticThreshold = false;
     bool activeOnly = false;
@@ -113,9 +117,10 @@ struct OpenFrames {
     }
 };
 
-/// Opens the recording that the options name, and warns where its values are no forces. Error: as
+/// Opens the recording that the options name, and warns where its values are no forces. The options have the
+/// threshold then. Error: as
 /// frames::FrameReader::open(). Throws CLI::ValidationError when the options do not fit each other.
-[[nodiscard]] core::Expected<OpenFrames> openFrames(const FrameOptions& options);
+[[nodiscard]] core::Expected<OpenFrames> openFrames(FrameOptions& options);
 
 /// Reads a recording of a grid of loads frame by frame, conditions each frame and hands it to write(), which
 /// adds rows of the given columns. Ends at the end of the file, at the first error, with an interruption (the

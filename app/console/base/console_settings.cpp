@@ -206,6 +206,7 @@ std::optional<frames::FrameRequest> ConsoleSettings::frameRequest(const std::str
                                .value_or(std::vector<frames::ColumnRange>());
     request.timeColumn = value("time").toString().toStdString();
     request.timeUnit = value("time_unit").toString().toStdString();
+    request.threshold = positive("threshold");
     return request;
 }
 
@@ -222,6 +223,7 @@ void ConsoleSettings::setFrameRequest(const std::string& family, const frames::F
     set(group + QStringLiteral("taxels"), QString::fromStdString(frames::textOf(request.taxelColumns)));
     set(group + QStringLiteral("time"), QString::fromStdString(request.timeColumn));
     set(group + QStringLiteral("time_unit"), QString::fromStdString(request.timeUnit));
+    set(group + QStringLiteral("threshold"), request.threshold.value_or(0.0));
 }
 
 QString ConsoleSettings::text(const QString& key, const QString& fallback) const {

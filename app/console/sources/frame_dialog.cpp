@@ -53,11 +53,15 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     , m_timeColumn(new QLineEdit(QString::fromStdString(request.timeColumn)))
     , m_timeUnit(new QComboBox)
     , m_rate_Hz(makeNumber(request.rate_Hz.value_or(0.0), 100'000.0, 3, tr(" Hz")))
+    , m_threshold(makeNumber(request.threshold.value_or(0.0), 1e9, 3, {}))
     , m_verdict(new QLabel)
     , m_preview(new FramePreview(why, this)) {
     setWindowTitle(tr("Open frames"));
     m_timeColumn->setObjectName(QStringLiteral("timeColumn"));
     m_rate_Hz->setObjectName(QStringLiteral("rate"));
+    m_threshold->setObjectName(QStringLiteral("threshold"));
+    m_threshold->setSpecialValueText(tr("0.2 N, or a count"));
+    m_threshold->setToolTip(tr("Load from which a taxel is in contact, in the unit of the values"));
     m_array->setText(QString::fromStdString(request.array));
     m_array->setPlaceholderText(tr("the only one, or the one named frames"));
     m_array->setMinimumWidth(base::em(this, 22));
@@ -106,6 +110,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     form->addRow(tr("Column of the &times:"), m_timeColumn);
     form->addRow(tr("&Unit of the times:"), m_timeUnit);
     form->addRow(tr("&Rate, without times:"), m_rate_Hz);
+    form->addRow(tr("In contact &from:"), m_threshold);
     form->addRow(QString(), m_verdict);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
@@ -154,6 +159,7 @@ frames::FrameRequest FrameDialog::request() const {
     request.columns = side(*m_columns);
     request.pitch_m = number(*m_pitch_mm, 1e-3);
     request.rate_Hz = number(*m_rate_Hz, 1.0);
+    request.threshold = number(*m_threshold, 1.0);
     request.taxelColumns = frames::columnRangesOf(m_taxelColumns->text().trimmed().toStdString())
                                .value_or(std::vector<frames::ColumnRange>());
     request.timeColumn = m_timeColumn->text().trimmed().toStdString();

@@ -42,6 +42,7 @@ private:
     QLineEdit* m_timeColumn;
     QComboBox* m_timeUnit;
     QDoubleSpinBox* m_rate_Hz;
+    QDoubleSpinBox* m_threshold;
     QLabel* m_verdict;
     FramePreview* m_preview;
     QPushButton* m_accept;

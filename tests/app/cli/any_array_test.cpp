@@ -113,9 +113,24 @@ TEST_F(AnyArray, vectorsComeInByALayout) {
 TEST_F(AnyArray, aFieldIsNeverShownInNewtons) {
     const std::string frames = file("pulled.csv", kPulled);
     const std::string layout = file("field.toml", std::string(kTwoTaxels) + "unit = \"\u00b5T\"\n");
-    expectPulled(lastRow({"features", frames, "--layout", layout}), "ut", "ut_m");
+    expectPulled(lastRow({"features", frames, "--layout", layout, "--threshold", "0.5"}), "ut", "ut_m");
     EXPECT_NE(m_err.find("\u00b5T"), std::string::npos) << m_err;
-    expectPulled(lastRow({"contacts", frames, "--layout", layout}), "ut", "ut_m");
+    expectPulled(lastRow({"contacts", frames, "--layout", layout, "--threshold", "0.5"}), "ut", "ut_m");
+    // 0.2 of it is noise: the threshold is asked for, also in a recording.
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"features"},
+                                                    {"contacts"},
+                                                    {"import", "--out", m_folder.path("no.teleta")}}) {
+        std::vector<std::string> arguments = command;
+        arguments.insert(arguments.end(), {frames, "--layout", layout});
+        const std::string why = refusal(arguments, 2);
+        EXPECT_NE(why.find("--threshold"), std::string::npos) << why;
+        EXPECT_NE(why.find("\u00b5T"), std::string::npos) << why;
+    }
+    // The file of the layout can say it: of 2 and 1 uT one counts.
+    const std::string told =
+        file("told.toml", "threshold = 1.5\n" + std::string(kTwoTaxels) + "unit = \"\u00b5T\"\n");
+    EXPECT_EQ(lastRow({"features", frames, "--layout", told}).at("active"), "1");
+    EXPECT_EQ(lastRow({"features", frames, "--layout", told, "--threshold", "0.5"}).at("active"), "2");
 
     const std::string calibrated =
         file("calibrated.toml", std::string(kTwoTaxels) + "unit = \"\u00b5T\"\nnewtons_per_unit = 2\n");
@@ -183,8 +198,8 @@ TEST_F(AnyArray, aTareIsTakenOfAllComponents) {
 TEST_F(AnyArray, aRecordingOfVectorsIsReplayedAndExportedAsSuch) {
     const std::string layout = file("field.toml", std::string(kTwoTaxels) + "unit = \"\u00b5T\"\n");
     const std::string recording = m_folder.path("pulled.teleta");
-    const ProgramResult imported =
-        run({"import", file("pulled.csv", kPulled), "--layout", layout, "--out", recording, "--json"});
+    const ProgramResult imported = run({"import", file("pulled.csv", kPulled), "--layout", layout,
+                                        "--threshold", "0.5", "--out", recording, "--json"});
     ASSERT_EQ(imported.exitCode, 0) << imported.err;
     EXPECT_EQ(nlohmann::json::parse(imported.out)["components"], 3);
     const auto replayed = lastRow({"replay", recording});
@@ -195,7 +210,7 @@ TEST_F(AnyArray, aRecordingOfVectorsIsReplayedAndExportedAsSuch) {
     const ProgramResult exported = run({"export", recording, "--npz", npz, "--json"});
     ASSERT_EQ(exported.exitCode, 0) << exported.err;
     EXPECT_EQ(nlohmann::json::parse(exported.out)["shape"], nlohmann::json::parse("[2, 2, 3]"));
-    expectPulled(lastRow({"features", npz, "--layout", layout}), "ut", "ut_m");
+    expectPulled(lastRow({"features", npz, "--layout", layout, "--threshold", "0.5"}), "ut", "ut_m");
     // What is exported is in the order of {s}: a layout that turns axes does not turn it again.
     const std::string turning =
         file("turning.toml", std::string(kTwoTaxels) + "axes = [\"-z\", \"-y\", \"+x\"]\nunit = \"N\"\n");
@@ -227,4 +242,13 @@ TEST_F(AnyArray, placesOffAGridAreExportedWithTheirFrames) {
     EXPECT_EQ(lastRow({"features", npz, "--layout", layout}),
               lastRow({"features", frames, "--layout", layout}));
     EXPECT_NE(refusal({"features", npz}, 3).find("positions_m"), std::string::npos);
+    // The same places from another origin are the same; taxels in another order, or others, are not.
+    const std::string moved =
+        file("moved.toml", "[layout]\nunit = \"N\"\npositions_mm = [[93, -4], [105, -3], [100, 6]]\n");
+    EXPECT_EQ(lastRow({"features", npz, "--layout", moved}).at("force_n"), "4");
+    const std::string swapped =
+        file("swapped.toml", "[layout]\nunit = \"N\"\npositions_mm = [[5, -3], [-7, -4], [0, 6]]\n");
+    const std::string why = refusal({"features", npz, "--layout", swapped}, 3);
+    // The middle of the box is at x = -1 mm.
+    EXPECT_NE(why.find("positions_m has taxel 0 at x = -6 mm, the layout at 6 mm"), std::string::npos) << why;
 }

@@ -65,3 +65,10 @@ TEST_F(FrameReaderTest, columnsAreNumbersAndRanges) {
          {"", "0..3", "5..3", "2..", "..3", "2...4", "a", "1,,2", "1..99999999999999999999"})
         EXPECT_FALSE(columnRangesOf(wrong)) << wrong;
 }
+
+TEST_F(FrameReaderTest, aUsualThresholdIsForNewtonsAndCounts) {
+    for (const char* unit : {"N", "counts", ""})
+        EXPECT_EQ(teleta::frames::usualThreshold(unit), 0.2) << unit;
+    for (const char* unit : {"\u00b5T", "Pa", "mV"})
+        EXPECT_FALSE(teleta::frames::usualThreshold(unit)) << unit;
+}

@@ -126,8 +126,10 @@ public:
             ImportText::tr("Unit of the loads; default: as the file says, else N or counts, by the array"),
             "NAME");
         addOption(app, "-t,--threshold", m_threshold,
-                  ImportText::tr("Load from which a taxel is in contact, in the recording's settings"),
-                  positive());
+                  ImportText::tr("Load from which a taxel is in contact, in the recording's settings; 0.2 "
+                                 "unless the unit is another one than N and counts"),
+                  "LOAD")
+            ->check(positive());
         declareJson(app, m_json);
         m_app = &app;
     }
@@ -158,8 +160,11 @@ private:
         TELETA_TRY(options.settings.conditioning, m_array.conditioning(reader->taxels(), m_path));
         TELETA_TRY(const std::optional<double> newtons, m_array.newtonsPerUnit(reader->unit()));
         options.settings.conditioning.gain = m_gain.value_or(newtons.value_or(1.0));
-        options.settings.features.threshold_N = options.settings.segmentation.threshold_N = m_threshold;
         options.settings.loadUnit = m_unit.empty() && newtons && !m_gain ? "N" : m_unit;
+        const std::string& unit =
+            options.settings.loadUnit.empty() ? reader->unit() : options.settings.loadUnit;
+        TELETA_TRY(const double threshold, m_array.threshold(m_threshold, unit));
+        options.settings.features.threshold_N = options.settings.segmentation.threshold_N = threshold;
         ProgressBar progress(ProgressBar::Unit::share, false);
         options.goOn = [&](double share) {
             progress.update(share, 1.0);
@@ -204,7 +209,7 @@ private:
     std::vector<std::string> m_topics;
     ArrayOptions m_array;
     std::optional<double> m_gain;
-    double m_threshold = 0.2;
+    std::optional<double> m_threshold;
     std::string m_unit;
     bool m_json = false;
     CLI::App* m_app = nullptr;

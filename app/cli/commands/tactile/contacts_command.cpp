@@ -14,9 +14,9 @@ namespace teleta::cli {
 namespace {
 
 struct ContactsCommand : FrameOptions {
-    [[nodiscard]] core::Expected<void> run() const {
-        contact::SegmentationSettings settings = segmentationSettings();
+    [[nodiscard]] core::Expected<void> run() {
         TELETA_TRY(OpenFrames frames, openFrames(*this));
+        contact::SegmentationSettings settings = segmentationSettings();
         const core::TaxelLayout taxels = frames.reader.taxels();
         const bool vectors = taxels.isVector();
         const auto columns = withSummit(contactRowColumns(frames.loadUnit, vectors), summit);

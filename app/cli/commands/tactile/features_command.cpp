@@ -12,7 +12,7 @@ namespace teleta::cli {
 namespace {
 
 struct FeaturesCommand : FrameOptions {
-    [[nodiscard]] core::Expected<void> run() const {
+    [[nodiscard]] core::Expected<void> run() {
         TELETA_TRY(OpenFrames frames, openFrames(*this));
         const core::TaxelLayout taxels = frames.reader.taxels();
         const bool vectors = taxels.isVector();

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 namespace teleta::console {
@@ -89,7 +90,17 @@ RecordingImport::Result RecordingImport::makeOfFrames(const QString& recording, 
                                                       WorkProgress& progress) {
     request.guessesShape = true;
     TELETA_TRY(auto reader, frames::FrameReader::open(request, [&progress] { return !progress.cancelled; }));
+    const std::optional<double> threshold =
+        request.threshold ? request.threshold : frames::usualThreshold(reader.unit());
+    if (!threshold)
+        return core::failed(
+            core::ErrorKind::badInput,
+            tr("the loads are in %1, a unit without a usual threshold")
+                .arg(QString::fromStdString(reader.unit())),
+            tr("from how many %1 a taxel is in contact").arg(QString::fromStdString(reader.unit())),
+            {request.path});
     frames::FrameImportOptions options;
+    options.settings.features.threshold_N = options.settings.segmentation.threshold_N = *threshold;
     options.goOn = [&progress](double share) {
         progress.share = share;
         return !progress.cancelled;

@@ -227,6 +227,39 @@ private slots:
         QVERIFY(QFile::remove(array.fileName()));
     }
 
+    void loadsInAnotherUnitThanNewtonsAreAskedForAThreshold() {
+        const QString frames = file("field.h5");
+        QVERIFY(QFile::copy(TELETA_SOURCE_DIR "/tests/data/frames/field.h5", frames));
+        core::StopSwitch stop;
+        console::SourceManager sources(stop);
+        QTemporaryDir kept;
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, kept.path());
+        console::ConsoleSettings settings(false);
+        auto* window = new QWidget;
+        auto* recordings = new RecordingFiles(sources, settings, window);
+        QSignalSpy opened(recordings, &RecordingFiles::opened);
+        recordings->open(frames);
+        QTRY_VERIFY_WITH_TIMEOUT(window->findChild<console::FrameDialog*>() != nullptr, kPatience_ms);
+        auto* dialog = window->findChild<console::FrameDialog*>();
+        const QString why = dialog->findChild<QLabel*>("why")->text();
+        QVERIFY2(why.contains(QString::fromUtf8("\u00b5T")), qPrintable(why));
+        dialog->findChild<QDoubleSpinBox*>("threshold")->setValue(2.5);
+        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open)->click();
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience_ms);
+        const auto recording = recording::Recording::open(file("field.teleta").toStdString());
+        QVERIFY(recording.has_value());
+        const auto array = pipeline::recordedArray(recording->streams().front(), recording->path());
+        QVERIFY(array.has_value());
+        QCOMPARE(array->settings.segmentation.threshold_N, 2.5);
+        QCOMPARE(QString::fromStdString(array->settings.loadUnit), QString::fromUtf8("\u00b5T"));
+        // The next file of this kind has the same one.
+        const auto known = settings.frameRequest(frames::familyOf(frames.toStdString()));
+        QVERIFY(known && known->threshold == 2.5);
+        sources.closeAll();
+        delete window;
+        QVERIFY(QFile::remove(frames));
+    }
+
     void aRecordingThatIsThereIsOpenedOrTheFileImportedAgain() {
         core::StopSwitch stop;
         console::SourceManager sources(stop);
