@@ -17,6 +17,7 @@ constexpr double kLongestCompared_s = 1.0;
 JointWatch::JointWatch(std::vector<std::string> names, std::string topic, double timeout_s)
     : m_names(std::move(names))
     , m_topic(std::move(topic))
+    , m_timeout_s(timeout_s)
     , m_joiner(m_names, timeout_s) {
 }
 
@@ -39,11 +40,12 @@ std::optional<ros::JoinedJoints> JointWatch::take(const ros::JointState& message
 void JointWatch::compare(const ros::JoinedJoints& sample, std::int64_t read_ns) {
     if (!m_last)
         return;
-    // Messages that were held up are read together, but their stamps are not.
-    const double time_s =
-        std::max(static_cast<double>(read_ns - m_last_ns) * 1e-9, sample.stamp_s - m_last->stamp_s);
-    if (time_s > kLongestCompared_s)
+    const double read_s = static_cast<double>(read_ns - m_last_ns) * 1e-9;
+    if (read_s > kLongestCompared_s)
         return;
+    // Messages that were held up are read together, but their stamps are not. Stamps that leap, such as those
+    // of a second publisher that tells none, excuse no more than the arm may be silent.
+    const double time_s = std::max(read_s, std::min(sample.stamp_s - m_last->stamp_s, m_timeout_s));
     const double most = kJump * std::max(1.0, time_s / (static_cast<double>(kJumpTime_ns) * 1e-9));
     for (std::size_t i = 0; i < m_names.size(); ++i) {
         if (!(std::abs(sample.position[i] - m_last->position[i]) <= most))

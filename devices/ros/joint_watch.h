@@ -44,6 +44,7 @@ private:
 
     std::vector<std::string> m_names;
     std::string m_topic;
+    double m_timeout_s;
     ros::JointStateJoiner m_joiner;
     std::optional<ros::JoinedJoints> m_last;
     std::int64_t m_last_ns = 0;

@@ -57,6 +57,22 @@ TEST(JointWatch, aJumpIsAFault) {
     EXPECT_FALSE(arm.watch.takeFault());
 }
 
+TEST(JointWatch, stampsThatLeapExcuseNoJump) {
+    Watched arm;
+    // A gripper's driver tells its joint without a stamp.
+    ASSERT_TRUE(arm.tell({0.0, 1.0}, 0, {1'700'000'000, 0}));
+    ASSERT_TRUE(arm.tell({1.0}, kMs, {}, {"b"}));
+    ASSERT_TRUE(arm.tell({0.0, 1.0}, 2 * kMs, {1'700'000'000, 2'000'000}));
+    EXPECT_FALSE(arm.watch.takeFault());
+    ASSERT_TRUE(arm.tell({1.0}, 3 * kMs, {}, {"b"}));
+    // 10 rad/s for the 0.1 s that it may be silent.
+    ASSERT_TRUE(arm.tell({0.99, 1.0}, 4 * kMs, {1'700'000'000, 4'000'000}));
+    EXPECT_FALSE(arm.watch.takeFault());
+    ASSERT_TRUE(arm.tell({1.0}, 5 * kMs, {}, {"b"}));
+    ASSERT_TRUE(arm.tell({2.0, 1.0}, 6 * kMs, {1'700'000'000, 6'000'000}));
+    EXPECT_EQ(arm.watch.takeFault(), (ArmFault{ArmFaultKind::jumped, "a"}));
+}
+
 TEST(JointWatch, timeThatGoesBackIsAFault) {
     Watched arm;
     ASSERT_TRUE(arm.tell({0.0, 1.0}, 0, {10, 0}));
