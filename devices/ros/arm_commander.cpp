@@ -4,7 +4,6 @@
 #include "backend/ros/topic_names.h"
 #include "devices/ros/trajectory_message.h"
 #include "devices/ros/trajectory_mover.h"
-#include "devices/ros/wall_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +19,12 @@ namespace {
 /// The default of MoveIt Servo's incoming_command_timeout.
 constexpr double kServoTimeout_s = 0.1;
 
-ros::Time wallNow() {
-    const std::int64_t now_ns = wallClock_ns();
-    return {static_cast<std::int32_t>(now_ns / 1'000'000'000),
-            static_cast<std::uint32_t>(now_ns % 1'000'000'000)};
+/// How often rest is told, so that the loss of a message does not matter.
+constexpr int kRepeats = 20;
+
+ros::Time stampOf(std::int64_t time_ns) {
+    return {static_cast<std::int32_t>(time_ns / 1'000'000'000),
+            static_cast<std::uint32_t>(time_ns % 1'000'000'000)};
 }
 
 /// Points for a trajectory controller, which begins at once.
@@ -43,7 +44,8 @@ private:
 };
 
 /// Rates for MoveIt Servo, which halts the arm by itself when no further one comes. It compares the stamps
-/// with its own clock.
+/// with its own clock: where that jumps back, the last rate would live on. So a pause begins with rates of
+/// zero.
 class ServoCommander : public ArmCommander {
 public:
     ServoCommander(dds::Writer<ros::JointJog> writer, std::vector<std::string> names)
@@ -56,17 +58,32 @@ public:
     }
     [[nodiscard]] bool send(const MotionCommand& command) override {
         m_rate = command.rate;
-        ros::lend(m_message.velocities, std::span(m_rate.data(), m_rate.size()));
-        m_message.header.stamp = wallNow();
-        return m_writer.write(m_message);
+        m_restsToTell = kRepeats;
+        return write(command.stamp_ns);
     }
+    [[nodiscard]] bool pause(const MotionPause& pause) override {
+        if (isDone())
+            return true;
+        --m_restsToTell;
+        std::ranges::fill(m_rate, 0.0);
+        return write(pause.stamp_ns);
+    }
+    [[nodiscard]] bool isDone() const override { return m_restsToTell == 0; }
+    void forget() override { m_restsToTell = 0; }
     [[nodiscard]] const dds::AnyWriter& writer() const override { return m_writer; }
 
 private:
+    [[nodiscard]] bool write(std::int64_t stamp_ns) {
+        ros::lend(m_message.velocities, std::span(m_rate.data(), m_rate.size()));
+        m_message.header.stamp = stampOf(stamp_ns);
+        return m_writer.write(m_message);
+    }
+
     dds::Writer<ros::JointJog> m_writer;
     std::vector<std::string> m_names;
     std::vector<char*> m_pointers;
     core::JointVector m_rate;
+    int m_restsToTell = 0; ///< of the pause that begins or goes on
     std::array<char, 1> m_noFrame{};
     ros::JointJog m_message{};
 };
@@ -122,8 +139,6 @@ public:
     [[nodiscard]] const dds::AnyWriter& writer() const override { return m_writer; }
 
 private:
-    static constexpr int kRepeats = 20;
-
     [[nodiscard]] bool isAtRest() const {
         return std::ranges::all_of(m_rate, [](double rate) { return rate == 0.0; });
     }

@@ -22,12 +22,14 @@ struct MotionCommand {
     std::array<arm_model::TrajectoryPoint, 2> points;
     core::JointVector commanded; ///< q_c, rad or m
     core::JointVector rate;      ///< with which q_c moves, rad/s or m/s
+    std::int64_t stamp_ns = 0;   ///< wall clock, by the look that found it in agreement with the robot's
 };
 
 /// What is known where no motion is commanded.
 struct MotionPause {
-    double dt_s = 0.0; ///< since the last command
-    bool alone = true; ///< nobody else commands the arm
+    double dt_s = 0.0;         ///< since the last command
+    std::int64_t stamp_ns = 0; ///< as MotionCommand has it
+    bool alone = true;         ///< nobody else commands the arm
     /// Where an arm stands that does not follow; empty: it follows, or its joints are not known.
     core::JointVector blocked{};
 };

@@ -154,15 +154,16 @@ void RosArm::run(const std::stop_token& stop) {
     m_discontinuity = true;
 }
 
-/// Trajectory controllers and MoveIt Servo stop by themselves.
+/// Trajectory controllers stop by themselves.
 void RosArm::comeToRest() {
     ArmCommander& commander = *m_ends.commander;
     const std::int64_t begin_ns = core::steadyNow_ns();
     while (!commander.isDone()) {
         if (core::steadyNow_ns() - begin_ns > kLongestBraking_ns)
             commander.halt();
-        (void)commander.pause(
-            {.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns), .alone = !m_otherWriter});
+        (void)commander.pause({.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns),
+                               .stamp_ns = stampAt_ns(core::steadyNow_ns()),
+                               .alone = !m_otherWriter});
         std::this_thread::sleep_for(std::chrono::nanoseconds(m_timing.period_ns));
     }
     commander.forget();
@@ -181,13 +182,21 @@ void RosArm::deliver(const ros::JoinedJoints& joints, std::int64_t read_ns) {
     core::JointSample sample;
     sample.time_ns = read_ns;
     sample.sourceTime_s = joints.stamp_s;
-    m_clockDifference_s = wallClock_s() - joints.stamp_s;
+    m_wallAtRead_ns = wallClock_ns();
+    m_read_ns = read_ns;
+    m_clockDifference_s = 1e-9 * static_cast<double>(m_wallAtRead_ns) - joints.stamp_s;
     sample.angle_rad = joints.position;
     sample.torque_Nm = torqueOf(joints);
     const core::JointVector& commanded = m_mover.state().commanded;
     sample.reference_rad = commanded.empty() ? joints.position : commanded;
     sample.discontinuity = std::exchange(m_discontinuity, false);
     m_outlet.deliver(std::move(sample));
+}
+
+/// The wall clock then, unless it was set since the newest joints were read: they were found to agree with
+/// it.
+std::int64_t RosArm::stampAt_ns(std::int64_t now_ns) const {
+    return m_wallAtRead_ns + (now_ns - m_read_ns);
 }
 
 void RosArm::takeWrench() {
@@ -262,9 +271,11 @@ void RosArm::step(std::int64_t now_ns) {
     const MoverState& mover = m_mover.state();
     bool sent = true;
     if (points) {
-        sent = m_ends.commander->send({*points, mover.commanded, mover.rate});
+        sent = m_ends.commander->send({*points, mover.commanded, mover.rate, stampAt_ns(now_ns)});
     } else {
-        MotionPause pause{.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns), .alone = !m_otherWriter};
+        MotionPause pause{.dt_s = 1e-9 * static_cast<double>(m_timing.period_ns),
+                          .stamp_ns = stampAt_ns(now_ns),
+                          .alone = !m_otherWriter};
         if (joints && mover.fault && mover.fault->kind == ArmFaultKind::notFollowing)
             pause.blocked = joints->position;
         sent = m_ends.commander->pause(pause);

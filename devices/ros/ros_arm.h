@@ -121,6 +121,7 @@ private:
     void takeJoints();
     void takeWrench();
     void deliver(const ros::JoinedJoints& joints, std::int64_t read_ns);
+    [[nodiscard]] std::int64_t stampAt_ns(std::int64_t now_ns) const;
     [[nodiscard]] core::JointVector torqueOf(const ros::JoinedJoints& joints) const;
     void step(std::int64_t now_ns);
     void lookAround(std::int64_t now_ns);
@@ -144,6 +145,8 @@ private:
     std::optional<WrenchWatch> m_wrench; ///< nothing: the file names no force sensor
     dds::WaitSet m_waitSet;
     double m_clockDifference_s = 0.0; ///< our wall clock less the newest stamp
+    std::int64_t m_wallAtRead_ns = 0; ///< our wall clock when the newest joints were read
+    std::int64_t m_read_ns = 0;       ///< the steady one then
     std::int64_t m_opened_ns = 0;
     std::int64_t m_nextLook_ns = 0;
     std::optional<std::int64_t> m_known_ns; ///< when all joints were known the last time

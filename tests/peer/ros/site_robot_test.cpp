@@ -218,6 +218,27 @@ TEST_F(SiteRobot, moveItServoIsNotTrustedWithAnotherClock) {
     EXPECT_TRUE(logOf("jog").empty());
 }
 
+/// A clock that jumps back lets the last rate live on, so rest is told and not only silence.
+TEST_F(SiteRobot, moveItServoIsToldToRestWhenTheClocksPart) {
+    start(160, {"--controller", "servo"});
+    writeFile("adapter = \"moveit_servo\"\n", "announce = false\n");
+    m_site = std::make_unique<SiteProcess>(161, "[[device]]\nfile = \"" + path() + "\"\n");
+    m_site->start();
+    TestConsole console(*m_site, "a");
+    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
+    console.press(kRate_radPerS);
+    ASSERT_TRUE(console.moves());
+    ASSERT_TRUE(m_robot.command("fault backward"));
+    EXPECT_TRUE(eventually([this] {
+        const std::vector<json> jogs = logOf("jog");
+        return std::ranges::all_of(jogs.back()["velocities"],
+                                   [](const json& velocity) { return velocity.get<double>() == 0.0; });
+    }));
+    EXPECT_TRUE(TestConsole::eventually([&] { return console.rests(200ms, 2e-3); }));
+    EXPECT_EQ(logOf("jog").back()["accepted"], true);
+}
+
 TEST_F(SiteRobot, theArmRestsWhenTheConsoleIsKilled) {
     begin(102);
     auto program = jog(2.0);
