@@ -61,8 +61,9 @@ site_link::SiteArm armOf(const std::string& id, pipeline::JointChannel& channel)
         arm.tipTurn_radPerS = ros->file().limits.tipTurn_radPerS;
         arm.health = [ros] {
             const ros_arm::MoverState mover = ros->state().mover;
-            return site_link::ArmHealth{
-                mover.fault ? ros_arm::describe(*mover.fault).toStdString() : std::string(), mover.flags};
+            return site_link::ArmHealth{mover.fault ? ros_arm::describe(*mover.fault).toStdString()
+                                                    : std::string(),
+                                        mover.flags, mover.ignoresPress};
         };
     }
     return arm;

@@ -144,6 +144,8 @@ public:
     /// Somebody at the site withdraws the STOPs of consoles that have vanished, as a supervisor does one by
     /// one. That of a console that is there stays its own.
     void withdrawStopsOfGone(std::int64_t now_ns);
+    /// An arm was held for reasons of its own: who is in control has to press the switch anew.
+    void demandNewPress() { requireNewPress(); }
     /// An arm has a fault, or its cause is gone. The fault lasts until clearFault.
     void setFaultCause(bool present);
 

@@ -130,6 +130,7 @@ std::optional<std::array<arm_model::TrajectoryPoint, 2>> TrajectoryMover::step(c
     if (pressed && step.has(arm_model::MotionFlag::effort)) {
         block(input.now_ns);
         m_state.needsRelease = true;
+        m_state.ignoresPress = true;
     }
     if (pressed)
         m_state.drive = core::ArmDrive::jog;

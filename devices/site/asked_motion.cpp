@@ -26,6 +26,12 @@ double withinRange(const core::ArmDescription& arm, std::size_t joint, double an
     return lowest <= highest ? std::clamp(near, lowest, highest) : near;
 }
 
+bool isKnown(const ArmReading& reading, const SiteArm& arm, std::int64_t now_ns) {
+    return reading.angle_rad.size() == arm.source->description().joints() &&
+           now_ns - reading.time_ns <= arm.oldestAngles_ns &&
+           std::ranges::all_of(reading.angle_rad, [](double angle) { return std::isfinite(angle); });
+}
+
 core::JointVector ratesTo(const core::JointVector& target_rad, const core::ArmDescription& arm,
                           const core::JointVector& angle_rad) {
     core::JointVector rates = core::JointVector::zeros(target_rad.size());
@@ -74,14 +80,18 @@ std::optional<AskedMotion> AskedMotion::of(std::uint8_t kind, const std::string&
     return std::nullopt;
 }
 
+bool AskedMotion::isLed(const SiteArm& arm, std::int64_t now_ns) const {
+    return m_kind == kRatesCommand || isKnown(arm.angles(), arm, now_ns);
+}
+
 core::JointVector AskedMotion::rates(const SiteArm& arm, std::int64_t now_ns) const {
     if (m_kind == kRatesCommand)
         return m_values;
     const core::ArmDescription& description = arm.source->description();
-    const auto [angle_rad, read_ns] = arm.angles();
-    if (angle_rad.size() != description.joints() || now_ns - read_ns > arm.oldestAngles_ns ||
-        !std::ranges::all_of(angle_rad, [](double angle) { return std::isfinite(angle); }))
+    const ArmReading reading = arm.angles();
+    if (!isKnown(reading, arm, now_ns))
         return core::JointVector::zeros(description.joints());
+    const core::JointVector& angle_rad = reading.angle_rad;
     if (m_kind == kPositionsCommand)
         return ratesTo(m_values, description, angle_rad);
     const Eigen::Map<const Eigen::Vector<double, kTwistValues>> values(m_values.data());

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] static std::optional<AskedMotion> of(std::uint8_t kind, const std::string& frame,
                                                        std::span<const double> values, const SiteArm& arm);
 
+    /// It needs no angles, or those of the arm are known and new enough.
+    [[nodiscard]] bool isLed(const SiteArm& arm, std::int64_t now_ns) const;
+
     /// The joint rates in the arm's present pose; zeros as long as that is not known, or older than
     /// SiteArm::oldestAngles_ns: a motion that is led by angles must not go on by those of before.
     ///   twist      arm_model::tipRates()

@@ -18,6 +18,8 @@ namespace teleta::site_link {
 struct ArmHealth {
     std::string fault; ///< why it is not commanded any more, a sentence without a full stop; empty: none
     std::uint32_t flags = 0; ///< limits that act, arm_model::MotionFlag
+    /// It was held while it was commanded, and moves only when the switch was let go and pressed again.
+    bool wantsNewPress = false;
 };
 
 /// Where the joints of an arm were.

@@ -154,7 +154,7 @@ std::string hindranceOf(const SiteView& view, const std::string& console, const 
     if (view.mode == Mode::fault && found->message.empty())
         return text(SiteClientText::tr("an arm had a fault; clear it first"));
     if (found->message.empty() && view.pressAnew)
-        return text(SiteClientText::tr("let go of the dead-man switch and press it again"));
+        return text(SiteClientText::tr("let go of the switch and press it again"));
     return found->message;
 }
 

@@ -344,6 +344,7 @@ void SiteControl::take(ConsoleEnds& console, const ros::SiteArmCommand& command,
     head.armKnown = arm != nullptr && (head.hold || asked);
     head.finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     head.armLive = arm == nullptr || (arm->source->status().state == core::DeviceState::live &&
+                                      (!asked || asked->isLed(*arm, now_ns)) &&
                                       m_health[static_cast<std::size_t>(arm - m_arms.data())].fault.empty());
     const CommandRefusal why = m_arbiter.command(console.name, head, now_ns);
     if (why != CommandRefusal::none) {
@@ -367,6 +368,9 @@ void SiteControl::checkArms(std::int64_t now_ns) {
         if (!health.fault.empty() && m_health[i].fault.empty())
             tell(Severity::error, m_arms[i].name, "fault", health.fault);
         fault = fault || !health.fault.empty();
+        // The zeros of a pause would be the release that the arm waits for.
+        if (health.wantsNewPress)
+            m_arbiter.demandNewPress();
         m_health[i] = std::move(health);
     }
     m_arbiter.setFaultCause(fault);

@@ -281,7 +281,10 @@ TEST(TrajectoryMover, aRiseOfTheEffortHoldsTheArmUntilAFreshPress) {
         (void)arm.step();
     arm.moveFreshly();
     arm.effort = {18.0, 1.0};
-    (void)arm.hold(6);
+    // Said in the same step, so that nobody who looks between two steps misses it.
+    (void)arm.hold(1);
+    EXPECT_TRUE(arm.mover.state().ignoresPress);
+    (void)arm.hold(5);
     EXPECT_NEAR(arm.mover.state().rate[0], 0.0, 1e-12);
     EXPECT_TRUE(arm.mover.state().needsRelease);
     // Longer than efforts at rest are averaged: the arm does not press on.

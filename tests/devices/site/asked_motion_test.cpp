@@ -90,7 +90,11 @@ TEST_F(AskedMotionTest, whatIsLedByAnglesRestsOnceTheyAreOld) {
     const JointVector none = JointVector::zeros(4);
     EXPECT_NE(positions->rates(m_arm, kNow_ns), none);
     EXPECT_NE(twist->rates(m_arm, kNow_ns), none);
+    EXPECT_TRUE(positions->isLed(m_arm, kNow_ns));
     --m_read_ns;
+    EXPECT_FALSE(positions->isLed(m_arm, kNow_ns));
+    EXPECT_FALSE(twist->isLed(m_arm, kNow_ns));
+    EXPECT_TRUE(rates->isLed(m_arm, kNow_ns));
     EXPECT_EQ(positions->rates(m_arm, kNow_ns), none);
     EXPECT_EQ(twist->rates(m_arm, kNow_ns), none);
     EXPECT_EQ(rates->rates(m_arm, kNow_ns), (JointVector{0.1, -0.2, 0.3, 0.0}));

@@ -51,10 +51,12 @@ public:
         m_motion = std::move(motion);
         ++m_presses;
     }
-    void letGo() {
+    /// Asks for something else with the switch still held.
+    void ask(Motion motion) {
         const std::scoped_lock lock(m_mutex);
-        m_motion = {};
+        m_motion = std::move(motion);
     }
+    void letGo() { ask({}); }
     [[nodiscard]] std::string controller() const {
         const std::scoped_lock lock(m_mutex);
         return m_controller;
@@ -229,6 +231,38 @@ TEST_F(SiteOtherConsole, isToldWhyAnArmDoesNotMove) {
     EXPECT_TRUE(refusedAs({9, twist, {}}, site::CommandRefusal::unknownArm)) << "no such kind";
     EXPECT_TRUE(refusedAs({2, {0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0}, {}}, site::CommandRefusal::notFinite));
     EXPECT_LT(distanceTo(before), 1e-3);
+}
+
+/// The press of before does not move it on, however the rates that are asked for come and go.
+TEST_F(SiteOtherConsole, anArmThatItsEffortHasHeldWantsANewPressWhateverIsAskedBetween) {
+    m_site->kill();
+    writeFile("", "announce = false\n", "effort_stop = [4.0, 4.0, 4.0, 4.0, 4.0, 4.0, 4.0]\n");
+    m_site->start();
+    ASSERT_TRUE(eventually([this] { return m_console->controller() == "other"; }));
+    const OtherConsole::Motion turn{site_link::kRatesCommand, {0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 0.0}, {}};
+    const OtherConsole::Motion none{site_link::kRatesCommand, std::vector<double>(7), {}};
+    core::JointVector from = angles();
+    ASSERT_TRUE(pressUntil(turn, [&] { return distanceTo(from) > 0.05; }))
+        << "last refusal " << m_console->lastRefusal();
+    ASSERT_TRUE(m_robot.command("push 10 0 0"));
+    ASSERT_TRUE(eventually([this] {
+        const std::size_t commands = logOf("trajectory").size();
+        std::this_thread::sleep_for(300ms);
+        return logOf("trajectory").size() == commands;
+    }));
+    ASSERT_TRUE(m_robot.command("push 0 0 0"));
+    // What has held it is over, also in the mean of the efforts at rest.
+    std::this_thread::sleep_for(1500ms);
+    from = angles();
+    m_console->ask(none);
+    std::this_thread::sleep_for(300ms);
+    m_console->ask(turn);
+    std::this_thread::sleep_for(1s);
+    EXPECT_LT(distanceTo(from), 5e-3);
+    EXPECT_EQ(m_console->lastRefusal(), static_cast<unsigned>(site::CommandRefusal::pressAnew));
+    m_console->letGo();
+    EXPECT_TRUE(pressUntil(turn, [&] { return distanceTo(from) > 0.05; }))
+        << "last refusal " << m_console->lastRefusal();
 }
 
 TEST_F(SiteOtherConsole, isToldWhatTheArmIs) {

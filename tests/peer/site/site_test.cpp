@@ -20,7 +20,7 @@ using test::TestConsole;
 
 constexpr const char* kPractice = "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n";
 constexpr double kRate_radPerS = 0.3;
-constexpr const char* kPressAnew = "let go of the dead-man switch and press it again";
+constexpr const char* kPressAnew = "let go of the switch and press it again";
 
 /// The program of the simulated arm ends with the first jog; then the arm rests unless somebody moves it.
 void takeOver(TestConsole& console) {
