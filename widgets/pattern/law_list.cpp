@@ -114,12 +114,9 @@ void LawList::showFindings() {
     }
     m_list->setVisible(!m_findings.empty());
     m_fix->setVisible(!m_findings.empty());
-    // The properties below have what an empty list does not need.
-    const int most = m_findings.empty() ? m_headline->sizeHint().height() : QWIDGETSIZE_MAX;
-    if (maximumHeight() != most) {
-        setMaximumHeight(most);
+    if (const int most = m_findings.empty() ? m_headline->sizeHint().height() : QWIDGETSIZE_MAX;
+        std::exchange(m_mostHeight, most) != most)
         emit heightChanged();
-    }
     if (!m_findings.empty())
         m_list->setCurrentRow(std::clamp(row, 0, m_list->count() - 1));
     takeCurrent();

@@ -29,6 +29,8 @@ public:
     /// Whether the findings are up to date with the pattern.
     [[nodiscard]] bool isChecked() const { return m_checkedRevision == m_document->revision(); }
     [[nodiscard]] QListWidget* list() const { return m_list; }
+    /// What it needs at most; without a warning that is one line.
+    [[nodiscard]] int mostHeight() const { return m_mostHeight; }
     /// Checks now, without waiting for the pattern to rest.
     void check();
 
@@ -54,6 +56,7 @@ private:
     std::vector<Finding> m_findings;
     std::shared_ptr<std::atomic<bool>> m_cancelled; ///< cancels the running check; null: none is running
     quint64 m_checkedRevision;
+    int m_mostHeight = QWIDGETSIZE_MAX;
 };
 
 } // namespace teleta::pattern

@@ -97,10 +97,7 @@ PatternEditor::PatternEditor(QWidget* parent)
     connect(m_inspector, &PatternInspector::loopEdited, this, [this](double begin_s, double end_s) {
         m_timeline->setLoop(begin_s < end_s ? std::optional(Span{begin_s, end_s}) : std::nullopt);
     });
-    connect(m_laws, &LawList::heightChanged, this, [this] {
-        if (m_numbers->orientation() == Qt::Vertical)
-            m_numbers->setSizes({0, height()});
-    });
+    connect(m_laws, &LawList::heightChanged, this, &PatternEditor::shareHeight);
     connect(m_laws, &LawList::shown, this, &PatternEditor::showFinding);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (now != nullptr && isAncestorOf(now))
@@ -134,7 +131,18 @@ void PatternEditor::resizeEvent(QResizeEvent* event) {
     if (wanted == m_numbers->orientation())
         return;
     m_numbers->setOrientation(wanted);
-    m_numbers->setSizes(wanted == Qt::Vertical ? QList<int>{0, height()} : QList<int>{1, 2});
+    shareHeight();
+    if (wanted == Qt::Horizontal)
+        m_numbers->setSizes({1, 2});
+}
+
+/// The properties below the laws have what an empty list does not need. Beside each other a splitter would
+/// make both as low as the lower one may be.
+void PatternEditor::shareHeight() {
+    const bool isBelow = m_numbers->orientation() == Qt::Vertical;
+    m_laws->setMaximumHeight(isBelow ? m_laws->mostHeight() : QWIDGETSIZE_MAX);
+    if (isBelow)
+        m_numbers->setSizes({0, height()});
 }
 
 void PatternEditor::makeActions() {

@@ -71,6 +71,7 @@ protected:
 
 private:
     void makeActions();
+    void shareHeight();
     void makeBar();
     void makeComparison();
     void retranslate();
