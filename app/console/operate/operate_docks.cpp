@@ -12,6 +12,7 @@
 #include <QEvent>
 #include <QIODevice>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QScopedValueRollback>
 #include <QScreen>
 #include <QScrollArea>
@@ -27,6 +28,8 @@ namespace {
 
 /// Version of the layouts: stored ones of another version are not restored.
 constexpr qint32 kLayoutVersion = 8;
+/// In front of a layout that tells the sizes of its docks. Qt's own begin otherwise.
+constexpr quint32 kWithSizes = 0x53697a65;
 
 constexpr std::array<const char*, OperateDocks::kDocks> kNames{
     "heatmap", "reconstruction", "charts",  "processing", "stiffness", "bracelet", "joints", "touches",
@@ -158,11 +161,21 @@ void OperateDocks::setKind(Kind kind) {
 
 bool OperateDocks::restore(const QByteArray& layout) {
     const QScopedValueRollback building(m_building, true);
-    if (!restoreState(layout, kLayoutVersion))
+    QDataStream stream(layout);
+    quint32 begin = 0;
+    QByteArray state = layout;
+    QSize sizesIn;
+    QList<QSize> sizes;
+    if (stream >> begin; begin == kWithSizes)
+        stream >> state >> sizesIn >> sizes;
+    if (!restoreState(state, kLayoutVersion))
         return false;
-    m_sizesIn = {};
+    const bool isTold = stream.status() == QDataStream::Ok && sizes.size() == std::ssize(m_sizes);
+    m_sizesIn = isTold ? sizesIn : QSize();
+    if (isTold)
+        std::ranges::copy(sizes, m_sizes.begin());
     if (isVisible())
-        QMetaObject::invokeMethod(this, &OperateDocks::noteSizes, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &OperateDocks::bringSizes, Qt::QueuedConnection);
     // What is not in a layout stays where it was.
     for (std::size_t i = 0; i < kDocks; ++i)
         if (!isUsed(i))
@@ -239,6 +252,20 @@ void OperateDocks::bringForward(const QString& name) {
 }
 
 void OperateDocks::setMaximised(const QString& name) {
+    // Hiding a dock for a moment must not hand its keyboard to the next control, such as Record.
+    QWidget* const focused = QApplication::focusWidget();
+    const QPointer<QWidget> keyboard = focused != nullptr && isAncestorOf(focused) ? focused : nullptr;
+    showAlone(name);
+    QWidget* const kept = keyboard.data();
+    if (kept == nullptr)
+        return;
+    if (kept->isVisible())
+        kept->setFocus(Qt::OtherFocusReason);
+    else if (const auto shown = names().indexOf(m_alone); shown >= 0)
+        m_docks[static_cast<std::size_t>(shown)]->widget()->setFocus(Qt::OtherFocusReason);
+}
+
+void OperateDocks::showAlone(const QString& name) {
     if (!m_together.isEmpty()) {
         const QByteArray together = m_together;
         forgetMaximised();
@@ -248,7 +275,7 @@ void OperateDocks::setMaximised(const QString& name) {
     const auto index = static_cast<std::size_t>(names().indexOf(name));
     if (index >= kDocks || !isUsed(index) || m_docks[index]->isFloating())
         return;
-    m_together = saveState(kLayoutVersion);
+    m_together = stateNow();
     m_alone = name;
     for (QDockWidget* dock : m_docks)
         if (dock != m_docks[index] && !dock->isFloating())
@@ -279,7 +306,14 @@ void OperateDocks::forgetMaximised() {
 }
 
 QByteArray OperateDocks::stateNow() const {
-    return m_together.isEmpty() ? saveState(kLayoutVersion) : m_together;
+    if (!m_together.isEmpty())
+        return m_together;
+    const auto sizes = isVisible() ? sizesNow() : m_sizes;
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << kWithSizes << saveState(kLayoutVersion) << (isVisible() ? size() : m_sizesIn)
+           << QList<QSize>(sizes.begin(), sizes.end());
+    return bytes;
 }
 
 bool OperateDocks::eventFilter(QObject* watched, QEvent* event) {
@@ -310,7 +344,7 @@ QList<QAction*> OperateDocks::actions() const {
 
 void OperateDocks::enableActions() {
     for (std::size_t i = 0; i < kDocks; ++i)
-        m_docks[i]->toggleViewAction()->setEnabled(isUsed(i));
+        m_docks[i]->toggleViewAction()->setVisible(isUsed(i) && isVisible());
 }
 
 QByteArray OperateDocks::saveLayouts() const {
@@ -368,9 +402,16 @@ bool OperateDocks::event(QEvent* event) {
 
 void OperateDocks::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
+    enableActions();
     // Only now do the docks have room. A layout that was restored keeps its own shares.
     QMetaObject::invokeMethod(
-        this, [this] { m_default[index()] ? shareSpace() : noteSizes(); }, Qt::QueuedConnection);
+        this, [this] { m_default[index()] ? shareSpace() : bringSizes(); }, Qt::QueuedConnection);
+}
+
+/// Another page: its docks are not to be shown or closed from there.
+void OperateDocks::hideEvent(QHideEvent* event) {
+    QMainWindow::hideEvent(event);
+    enableActions();
 }
 
 void OperateDocks::resizeEvent(QResizeEvent* event) {

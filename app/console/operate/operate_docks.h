@@ -106,6 +106,7 @@ signals:
 protected:
     bool event(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -122,11 +123,16 @@ private:
     void shareAmongKind();
     /// Remembers the sizes of the docks that are seen.
     void noteSizes();
+    /// Of the docks that are seen; invalid of the others.
+    [[nodiscard]] std::array<QSize, kDocks> sizesNow() const;
+    /// Those that a restored layout tells, or notes what there are.
+    void bringSizes();
     /// Those that were noted, in a window of another size: forms keep their width, pictures grow and shrink.
     void keepSizes();
     void enableActions();
     void bringBack();
     void showFocus(const QWidget* before, const QWidget* now);
+    void showAlone(const QString& name);
     void forgetMaximised();
     [[nodiscard]] QByteArray stateNow() const;
 

@@ -158,7 +158,8 @@ void OperateDocks::shareAmongKind() {
                     {rest * 11 / 20, rest * 9 / 20, settings}, Qt::Horizontal);
         return;
     }
-    const int side = base::em(this, 25);
+    // In a small window the pictures have more than half of the width.
+    const int side = std::min(base::em(this, 25), std::max(base::em(this, 20), width() * 2 / 5));
     const int rest = std::max(width() - side, side);
     resizeDocks({m_docks[heatmap], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20}, Qt::Vertical);
     resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[stiffness]},
@@ -170,10 +171,23 @@ void OperateDocks::shareAmongKind() {
                 {pictures * 14 / 27, pictures * 13 / 27, std::max(height() - pictures, 1)}, Qt::Vertical);
 }
 
+std::array<QSize, OperateDocks::kDocks> OperateDocks::sizesNow() const {
+    std::array<QSize, kDocks> sizes;
+    for (std::size_t i = 0; i < kDocks; ++i)
+        sizes[i] = m_docks[i]->isVisible() && !m_docks[i]->isFloating() ? m_docks[i]->size() : QSize();
+    return sizes;
+}
+
 void OperateDocks::noteSizes() {
     m_sizesIn = size();
-    for (std::size_t i = 0; i < kDocks; ++i)
-        m_sizes[i] = m_docks[i]->isVisible() && !m_docks[i]->isFloating() ? m_docks[i]->size() : QSize();
+    m_sizes = sizesNow();
+}
+
+void OperateDocks::bringSizes() {
+    if (m_sizesIn.isEmpty())
+        noteSizes();
+    else
+        keepSizes();
 }
 
 void OperateDocks::keepSizes() {

@@ -397,7 +397,7 @@ private slots:
         }());
         QTRY_COMPARE_WITH_TIMEOUT(docks.kind(), OperateDocks::Kind::array, 20'000);
         QVERIFY(gauge->isHidden());
-        QVERIFY(!gauge->toggleViewAction()->isEnabled());
+        QVERIFY(!gauge->toggleViewAction()->isVisible());
         m_window->sources().activate(m_window->sources().items().front().key);
         QTRY_COMPARE(docks.kind(), OperateDocks::Kind::arm);
         QVERIFY(!gauge->isHidden());

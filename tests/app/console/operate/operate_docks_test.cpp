@@ -6,11 +6,15 @@
 #include <QDataStream>
 #include <QDockWidget>
 #include <QIODevice>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QMenu>
+#include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include <cstdlib>
 #include <utility>
@@ -327,6 +331,70 @@ private slots:
         d.docks.show();
         QCoreApplication::sendPostedEvents();
         QVERIFY2(isAsDragged(), qPrintable(QString::number(jog->width())));
+    }
+
+    void aRestoredLayoutGivesItsRoomToThePicturesToo() {
+        QByteArray layouts;
+        int form = 0;
+        {
+            Docks before;
+            before.docks.setKind(OperateDocks::Kind::arm);
+            before.docks.resize(1500, 900);
+            before.docks.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&before.docks));
+            QCoreApplication::sendPostedEvents();
+            before.docks.findChild<QDockWidget*>("heatmap")->close();
+            QCoreApplication::sendPostedEvents();
+            form = before.docks.findChild<QDockWidget*>("jog")->width();
+            layouts = before.docks.saveLayouts();
+        }
+        Docks d;
+        QVERIFY(d.docks.restoreLayouts(layouts));
+        d.docks.resize(1100, 700);
+        d.docks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&d.docks));
+        QCoreApplication::sendPostedEvents();
+        d.docks.setKind(OperateDocks::Kind::arm); // only now is a source open
+        const auto* jog = d.docks.findChild<QDockWidget*>("jog");
+        QVERIFY(d.docks.findChild<QDockWidget*>("heatmap")->isHidden());
+        constexpr int kRest = 5;
+        const auto isAsBefore = [&] { return std::abs(jog->width() - form) <= kRest; };
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            isAsBefore(), qPrintable(QStringLiteral("%1, not %2").arg(jog->width()).arg(form)), kPatience_ms);
+        d.docks.resize(1600, 1000);
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            isAsBefore(), qPrintable(QStringLiteral("%1, not %2").arg(jog->width()).arg(form)), kPatience_ms);
+    }
+
+    void aMaximisedDockKeepsTheKeyboard() {
+        QMainWindow window;
+        auto* docks = new OperateDocks;
+        QList<QLineEdit*> fields;
+        for (std::size_t i = 0; i < OperateDocks::kDocks; ++i)
+            docks->add(static_cast<OperateDocks::Dock>(i), fields.emplaceBack(new QLineEdit));
+        docks->begin();
+        auto* content = new QWidget;
+        auto* layout = new QVBoxLayout(content);
+        layout->addWidget(docks, 1);
+        layout->addWidget(new QPushButton(QStringLiteral("Record")));
+        window.setCentralWidget(content);
+        window.resize(900, 700);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QLineEdit* const used = fields[OperateDocks::reconstruction];
+        QTest::mouseClick(used, Qt::LeftButton);
+        QCOMPARE(QApplication::focusWidget(), used);
+        docks->toggleMaximised();
+        QCOMPARE(docks->maximised(), QString("reconstruction"));
+        QCOMPARE(QApplication::focusWidget(), used);
+        docks->toggleMaximised();
+        QCOMPARE(docks->maximised(), QString());
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(QApplication::focusWidget(), used);
+        // What had it is hidden: the dock that is alone gets it.
+        docks->setMaximised("heatmap");
+        QCOMPARE(QApplication::focusWidget(), fields[OperateDocks::heatmap]);
     }
 
     void whatIsSavedAndWhatAnotherSourceShowsKnowsOfNoMaximisedDock() {
