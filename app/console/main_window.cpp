@@ -165,6 +165,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     });
     connect(m_recording.get(), &RecordingControls::playRequested, m_opener, &FileOpener::openRecording);
     connect(m_recordings, &RecordingFiles::opened, this, &MainWindow::addRecent);
+    connect(&m_recorder, &RecordingService::finished, this, &MainWindow::addRecent);
     connect(m_recordings, &RecordingFiles::imported, this, &MainWindow::onImported);
     connect(m_opener, &FileOpener::failed, this, &MainWindow::onFailed);
     for (const auto opened :
@@ -451,6 +452,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             onEscape(down);
         } else if (down && key->key() == Qt::Key_Period && key->modifiers() & Qt::ControlModifier) {
             engageStop(chrome::StopCause::keys);
+            return true;
+        } else if (down && openMenuBy(*static_cast<QKeyEvent*>(event))) {
             return true;
         }
     }

@@ -102,6 +102,9 @@ private:
     [[nodiscard]] std::vector<Page> pages() const;
     void retranslate();
     void buildMenus();
+    /// Of a letter with Alt. The menus come before a field of the page with the same letter, which would only
+    /// take the focus. Returns whether it is the letter of a menu.
+    [[nodiscard]] bool openMenuBy(QKeyEvent& key);
     void buildArmMenu();
     void addSiteActions(QMenu& menu);
     void restoreFeedback();

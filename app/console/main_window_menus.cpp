@@ -25,6 +25,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -33,6 +34,21 @@
 #include <vector>
 
 namespace teleta::console {
+
+bool MainWindow::openMenuBy(QKeyEvent& key) {
+    if (key.modifiers() != Qt::AltModifier || !isActiveWindow() ||
+        QApplication::activePopupWidget() != nullptr)
+        return false;
+    for (QAction* menu : menuBar()->actions()) {
+        if (QKeySequence::mnemonic(menu->text()) != QKeySequence(key.keyCombination()))
+            continue;
+        key.accept(); // of an override: no shortcut is run
+        if (key.type() == QEvent::KeyPress)
+            menuBar()->setActiveAction(menu);
+        return true;
+    }
+    return false;
+}
 
 void MainWindow::buildMenus() {
     // The bar keeps menus that are no longer in it; one of them may have asked for this.

@@ -11,8 +11,10 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMenu>
 #include <QMenuBar>
 #include <QSet>
 #include <QStackedWidget>
@@ -159,7 +161,7 @@ private slots:
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
         int docks = 0;
         for (auto* dock : m_window->operatePage().docks().findChildren<QDockWidget*>()) {
-            if (!dock->toggleViewAction()->isEnabled()) // of another kind of source
+            if (!dock->toggleViewAction()->isVisible()) // of another kind of source
                 continue;
             dock->show();
             dock->raise();
@@ -205,6 +207,29 @@ private slots:
             QVERIFY2(!letter.isEmpty() && !letters.contains(letter), qPrintable(action->text()));
             letters.insert(letter);
         }
+    }
+
+    void aMenuOpensThoughAFieldOfThePageHasItsLetter() {
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        auto* processing = m_window->operatePage().docks().findChild<QDockWidget*>("processing");
+        processing->show();
+        processing->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(isShown(processing), 30'000);
+        auto* field = new QLineEdit(processing->widget());
+        auto* label = new QLabel(QStringLiteral("&Force"), processing->widget());
+        label->setBuddy(field);
+        field->show();
+        label->show();
+        for (const QAction* action : m_window->menuBar()->actions()) {
+            const QKeySequence letter = QKeySequence::mnemonic(action->text());
+            auto* menu = action->menu<QMenu*>();
+            QTest::keyClick(m_window.get(), letter[0].key(), Qt::AltModifier);
+            QTRY_COMPARE_WITH_TIMEOUT(QApplication::activePopupWidget(), menu, 30'000);
+            menu->close(); // two Esc would be STOP
+            QVERIFY(!field->hasFocus());
+        }
+        delete label;
+        delete field;
     }
 
     // The last one: its window takes the keyboard away from the other.

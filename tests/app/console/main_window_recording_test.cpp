@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -40,7 +41,8 @@ private slots:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_stop = std::make_unique<core::StopSwitch>();
-        m_settings = std::make_unique<ConsoleSettings>(true);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder->path());
+        m_settings = std::make_unique<ConsoleSettings>(false);
     }
     void cleanup() { m_window.reset(); }
 
@@ -79,6 +81,7 @@ private slots:
         QCOMPARE(m_window->anyFailure(), !files.isEmpty());
         m_window->recording().stop();
         QTRY_COMPARE_WITH_TIMEOUT(station.state(), RecordingService::State::idle, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(m_settings->recentFiles().value(0), options.record, kPatience_ms);
         const auto recording = recording::Recording::open(options.record.toStdString());
         QVERIFY2(recording, recording ? "" : core::describe(recording.error()).c_str());
         QCOMPARE(recording->head().scene, std::string("tactile-indenter"));
