@@ -10,6 +10,7 @@
 #include "backend/servo/servo_step.h"
 #include "backend/servo/servo_tuning.h"
 #include "backend/servo/task_verdict.h"
+#include "backend/servo/touched_body.h"
 
 #include <array>
 #include <cstddef>
@@ -28,6 +29,7 @@ struct ServoReport {
     ActiveLimits recentLimits; ///< limits that acted within the last second, so that one that acts in a
                                ///< single step is seen
     Eigen::Isometry3d X_Base_Sensor = Eigen::Isometry3d::Identity(); ///< measured
+    Eigen::Isometry3d X_Base_Object = Eigen::Isometry3d::Identity(); ///< of ServoLink::body
     /// Of the joints, measured; NaN: not told.
     LwrVector angle_rad = LwrVector::Constant(std::numeric_limits<double>::quiet_NaN());
     /// Positions of the joints from the base to the flange, and of the sensor; m, for drawing.
@@ -46,8 +48,8 @@ struct ServoReport {
 };
 
 /// Data exchange between the servo of a source and its operator. Thread: reports.back/publish, steps.push,
-/// tuning.take and task.take by the source's worker; reports.update/front, steps.pop, tuning.post and
-/// task.post by one operator (the GUI).
+/// tuning.take and task.take by the source's worker, body by whoever makes the source; reports.update/front,
+/// steps.pop, tuning.post and task.post by one operator (the GUI).
 struct ServoLink {
     static constexpr std::size_t kSteps = 16384;
 
@@ -56,6 +58,7 @@ struct ServoLink {
     core::BoundedQueue<ServoStep> steps{kSteps};
     core::Mailbox<ServoTuning> tuning;
     core::Mailbox<std::size_t> task; ///< start this task of the plan now
+    TouchedBody body;                ///< what the array touches, where a simulation knows it
 };
 
 } // namespace teleta::servo

@@ -18,10 +18,17 @@ namespace teleta::view3d {
 
 namespace {
 
+/// With three digits at most, and never with an exponent.
+QString roundNumber(double value) {
+    constexpr double kFourDigits = 999.5;
+    constexpr int kMostDigits = 15;
+    return QLocale().toString(value, 'g', std::abs(value) < kFourDigits ? 3 : kMostDigits);
+}
+
 constexpr std::size_t kMostLabels = 12;
 
 QString millimetres(double length_m) {
-    return base::withUnit(QLocale().toString(length_m * 1e3, 'g', 3), QStringLiteral("mm"));
+    return base::withUnit(roundNumber(length_m * 1e3), QStringLiteral("mm"));
 }
 
 /// Without the filling that keeps changing numbers in place.
@@ -163,12 +170,9 @@ void OverlayMaker::addLimits(const TouchScene& scene, const LimitPart& limits, O
 
 void OverlayMaker::addScenery(const TouchScene& scene, const SceneryPart& scenery, OverlayContent& content) {
     for (const SceneryItem& item : scenery.items()) {
-        Eigen::AlignedBox2d box;
-        for (const Eigen::Vector2d& corner : item.outline_m)
-            box.extend(corner);
-        const Eigen::Vector3d middle(box.center().x(), box.center().y(), item.z_m);
-        if (const auto place = placeInPicture(*scene.renderer(), middle))
-            content.labels.push_back({*place, item.name, scene.colours().text});
+        // On a card: the arm may be behind it.
+        if (const auto place = placeInPicture(*scene.renderer(), SceneryPart::placeOfName_m(item)))
+            content.labels.push_back({*place, item.name, scene.colours().faintText, true, true});
     }
 }
 
@@ -281,7 +285,7 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
         legend.push_back({text, arrow});
     };
     const auto addForce = [&](double range, const QString& unit) {
-        add(tr("Force, longest arrow: %1").arg(base::withUnit(QLocale().toString(range, 'g', 3), unit)),
+        add(tr("Force, longest arrow: %1").arg(base::withUnit(roundNumber(range), unit)),
             LegendLine::Arrow::straight);
     };
     if (!scene.hasSensor() && request.forces && wrench.forceTail())
@@ -300,8 +304,7 @@ std::vector<LegendLine> OverlayMaker::legendOf(const TouchScene& scene, const Wr
         if (wrench.areMomentsShown() && wrench.momentHead()) {
             const base::MomentUnit unit = base::momentUnit(wrench.momentRange_Nm());
             add(tr("Moment, longest arrow: %1")
-                    .arg(base::withUnit(QLocale().toString(unit.perNm * wrench.momentRange_Nm(), 'g', 3),
-                                        unit.name)),
+                    .arg(base::withUnit(roundNumber(unit.perNm * wrench.momentRange_Nm()), unit.name)),
                 LegendLine::Arrow::turned);
         }
     }

@@ -259,7 +259,8 @@ void Scene3dView::retranslate() {
     name(parts.presets[2], tr("Side"), tr("Look from the right"));
     name(parts.presets[3], tr("Isometric"), tr("Look from a corner"));
     name(parts.reset, tr("Show all"), tr("Back to the initial view: everything from a corner"));
-    name(parts.follow, tr("Follow contact"), tr("Keep the strongest contact in the middle"));
+    name(parts.follow, tr("Follow contact"),
+         tr("Keep the strongest contact in the middle, or the arm's hand while nothing is touched"));
     name(parts.parallel, tr("Orthographic"), tr("Parallel lines stay parallel: no perspective"));
     const auto layer = [&](SceneLayers::Layer which, const QString& text, const QString& help) {
         name(parts.layers->action(which), text, help);
@@ -328,10 +329,12 @@ void Scene3dView::refresh() {
     Parts& parts = *m_parts;
     if (parts.scene.draw())
         sceneMoved(true);
+    const auto& contacts = parts.scene.marks();
     const double time_s = parts.scene.snapshot().sourceTime_s;
-    if (parts.follow->isChecked() && !parts.scene.marks().empty()) {
-        parts.camera.follow(parts.scene.toWorld(parts.scene.marks().front().p_Sensor_Foot),
-                            time_s - parts.lastTime_s);
+    if (parts.follow->isChecked() && (!contacts.empty() || !armBox_m().isEmpty())) {
+        // Without a contact: the hand.
+        const Eigen::Vector3d p = contacts.empty() ? Eigen::Vector3d::Zero() : contacts.front().p_Sensor_Foot;
+        parts.camera.follow(parts.scene.toWorld(p), time_s - parts.lastTime_s);
     }
     parts.lastTime_s = time_s;
     parts.vtk->requestRender();
@@ -451,6 +454,10 @@ void Scene3dView::setScenery(std::span<const SceneryItem> items) {
         sceneMoved(false);
 }
 
+const std::vector<SceneryItem>& Scene3dView::scenery() const {
+    return m_parts->marks.scenery.items();
+}
+
 void Scene3dView::forgetArm() {
     m_parts->scene.setRobot(nullptr);
     setScenery({});
@@ -535,8 +542,8 @@ void Scene3dView::askForGeometryFile() {
 bool Scene3dView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        const Parts& parts = *m_parts;
-        const QString text = wordsAt(parts.scene, parts.pointAt(parts.vtk->mapFromGlobal(help->globalPos())));
+        const QPoint place = m_parts->vtk->mapFromGlobal(help->globalPos());
+        const QString text = wordsAt(m_parts->scene, m_parts->pointAt(place));
         text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
         return true;
     }
@@ -582,10 +589,8 @@ void Scene3dView::keyPressEvent(QKeyEvent* event) {
         break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        camera.zoom(kZoomStep);
-        break;
     case Qt::Key_Minus:
-        camera.zoom(1.0 / kZoomStep);
+        camera.zoom(event->key() == Qt::Key_Minus ? 1.0 / kZoomStep : kZoomStep);
         break;
     default:
         return QWidget::keyPressEvent(event);

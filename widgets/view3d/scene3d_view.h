@@ -82,6 +82,7 @@ public:
     void setArrayBent(bool bent);
     /// What a simulated world has around the arm.
     void setScenery(std::span<const SceneryItem> items);
+    [[nodiscard]] const std::vector<SceneryItem>& scenery() const;
     /// No robot, no trail, no joints, no force.
     void forgetArm();
     /// Bounding box of the arm shown; empty: none. World frame, m.

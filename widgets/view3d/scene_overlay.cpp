@@ -214,6 +214,29 @@ private:
         return centre.x() + 2.3 * m_em + m_margin;
     }
 
+    [[nodiscard]] double longestLegend() const {
+        double longest = 0.0;
+        for (const LegendLine& line : m_content.legend)
+            longest = std::max(longest, m_metrics.horizontalAdvance(line.text));
+        return longest;
+    }
+
+    /// The scene may reach behind the legend.
+    void paintLegendGround(double left, double width) {
+        if (m_content.legend.empty())
+            return;
+        const double high = static_cast<double>(m_content.legend.size()) * m_metrics.height();
+        const double pad = 0.4 * m_em;
+        QColor ground = m_content.colours.backgroundBottom;
+        ground.setAlphaF(0.75F);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(ground);
+        m_painter.drawRoundedRect(
+            QRectF(left - pad, m_size.height() - m_margin - high - 0.5 * pad, width + 2.0 * pad, high + pad),
+            pad, pad);
+        m_painter.setBrush(Qt::NoBrush);
+    }
+
     void paintLegend(double left) {
         if (m_size.height() < kLegendFrom * m_em)
             return; // the scene needs the room
@@ -223,6 +246,8 @@ private:
         const bool hasArrows = std::ranges::any_of(
             m_content.legend, [](const LegendLine& line) { return line.arrow != LegendLine::Arrow::none; });
         const double indent = hasArrows ? (kSign_em + 0.4) * m_em : 0.0;
+        paintLegendGround(left, std::min(width, indent + longestLegend()));
+        m_painter.setPen(m_content.colours.faintText);
         for (auto line = m_content.legend.crbegin(); line != m_content.legend.crend(); ++line) {
             QRectF place(left, bottom - m_metrics.height(), width, m_metrics.height());
             if (line->arrow != LegendLine::Arrow::none) {

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -140,6 +141,14 @@ void ServoViews::showArm(const servo::ServoReport& report) {
     m_scene.setSensorPose(report.X_Base_Sensor);
     m_scene.setTip(report.X_Base_Sensor.translation(), report.time_s);
     m_scene.setJoints(servoDials(report.angle_rad, kLinkRadius_m));
+    if (m_servo->body.axis_m.empty())
+        return;
+    view3d::SceneryItem body;
+    body.name = QString::fromStdString(m_servo->body.name);
+    body.radius_m = m_servo->body.radius_m;
+    for (const Eigen::Vector3d& p : m_servo->body.axis_m)
+        body.axis_m.push_back(report.X_Base_Object * p);
+    m_scene.setScenery(std::array{body});
 }
 
 } // namespace teleta::console

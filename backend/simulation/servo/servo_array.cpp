@@ -3,6 +3,7 @@
 
 #include "backend/simulation/servo/servo_loop.h"
 #include "backend/simulation/servo/servo_verdict.h"
+#include "backend/simulation/servo/touched_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,7 @@ public:
                             std::min(scene.servo().sensor.acquisition_Hz, m_loop->world().rate_Hz()),
                         .simulated = true} {
         m_lastActed_s.fill(-kRecent_s - 1.0);
+        m_link->body = bodyOf(scene.servo().object);
     }
 
     [[nodiscard]] core::SourceDescription description() const override { return m_description; }
@@ -87,6 +89,7 @@ private:
         report.output = output;
         report.recentLimits = recentLimits();
         report.X_Base_Sensor = X_Base_Sensor;
+        report.X_Base_Object = m_loop->world().arm().X_Base_Object();
         report.angle_rad = m_loop->world().arm().state().q_rad;
         report.p_Base_Joint = m_loop->world().arm().posture().p_Base_Joint;
         report.normalCompliance_mPerN = m_plan.tasks[output.phase].normalCompliance_mPerN;

@@ -24,14 +24,20 @@ Eigen::Vector3d BarSurface::tangentAt(double u_m) const {
     return Eigen::Vector3d(1.0, axis.ySlope, axis.zSlope).normalized();
 }
 
+Eigen::Vector3d BarSurface::centreAt(double u_m) const {
+    if (!isBent())
+        return {u_m, 0.0, -m_radius_m};
+    const Axis axis = axisAt(u_m);
+    return {u_m, axis.y_m, axis.z_m};
+}
+
 Eigen::Vector3d BarSurface::lineAt(double u_m) const {
     if (!isBent())
         return {u_m, 0.0, 0.0};
-    const Axis axis = axisAt(u_m);
     // The side of the bar that looks along z, across its tangent.
     const Eigen::Vector3d tangent = tangentAt(u_m);
     const Eigen::Vector3d normal = (Eigen::Vector3d::UnitZ() - tangent.z() * tangent).normalized();
-    return Eigen::Vector3d(u_m, axis.y_m, axis.z_m) + m_radius_m * normal;
+    return centreAt(u_m) + m_radius_m * normal;
 }
 
 double BarSurface::lineDistance_m(const Eigen::Vector3d& p_Object) const {
@@ -50,6 +56,23 @@ TouchedShape makeShape(const scene::ServoShape& shape) {
         TouchedShape operator()(const scene::WallShape&) const { return WallSurface{}; }
     };
     return std::visit(Make(), shape);
+}
+
+servo::TouchedBody bodyOf(const scene::ServoObject& object) {
+    constexpr double kPieces = 64.0; // of a bar that is bent
+    servo::TouchedBody body{.name = object.name};
+    if (const auto* ball = std::get_if<scene::BallShape>(&object.shape)) {
+        body.axis_m = {Eigen::Vector3d(0.0, 0.0, -ball->radius_m)};
+        body.radius_m = ball->radius_m;
+    } else if (const auto* bar = std::get_if<scene::BarShape>(&object.shape)) {
+        const BarSurface surface(*bar);
+        const double pieces = surface.isBent() ? kPieces : 1.0;
+        for (double piece = 0.0; piece <= pieces; piece += 1.0)
+            body.axis_m.push_back(
+                surface.centreAt(-bar->behind_m + piece / pieces * (bar->ahead_m + bar->behind_m)));
+        body.radius_m = bar->radius_m;
+    }
+    return body;
 }
 
 } // namespace teleta::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/scene/servo_world.h"
+#include "backend/servo/touched_body.h"
 
 #include <Eigen/Core>
 
@@ -66,6 +67,8 @@ public:
         return nearestInBall(m_radius_m, x - u, y - axis.y_m, z - axis.z_m);
     }
 
+    /// Point of the bar's own axis.
+    [[nodiscard]] Eigen::Vector3d centreAt(double u_m) const;
     /// Point and unit tangent of the line of contact.
     [[nodiscard]] Eigen::Vector3d lineAt(double u_m) const;
     [[nodiscard]] Eigen::Vector3d tangentAt(double u_m) const;
@@ -141,5 +144,8 @@ template <typename Shape>
 }
 
 [[nodiscard]] TouchedShape makeShape(const scene::ServoShape& shape);
+
+/// What is drawn of an object: a bar or a ball; of an edge or a wall, which have no end, only the name.
+[[nodiscard]] servo::TouchedBody bodyOf(const scene::ServoObject& object);
 
 } // namespace teleta::simulation

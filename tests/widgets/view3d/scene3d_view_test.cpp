@@ -408,6 +408,19 @@ private slots:
         QVERIFY2(away.norm() < 0.005, qPrintable(QString::number(away.norm())));
         const view3d::Orbit before = stage.view.orbit();
         QCOMPARE(before.azimuth_rad, view3d::orbitOf(CameraPreset::isometric).azimuth_rad);
+
+        // Without a contact it is the hand of an arm.
+        view3d::ArmLink link;
+        link.length_m = 0.5;
+        link.radius_m = 0.05;
+        stage.view.setArmLinks(std::array{link});
+        Eigen::Isometry3d hand = Eigen::Isometry3d::Identity();
+        hand.translation() = Eigen::Vector3d(0.4, 0.1, 0.3);
+        stage.view.setSensorPose(hand);
+        for (std::uint64_t frame = 401; frame <= 800; ++frame)
+            stage.view.setSnapshot(test::pressed(kLayout, {}, frame));
+        const Eigen::Vector3d there(rendererOf(stage.view)->GetActiveCamera()->GetFocalPoint());
+        QVERIFY2((there - hand.translation()).norm() < 0.01, qPrintable(QString::number(there.z())));
     }
 
     void whileHiddenNothingIsDrawnAndThenTheNewestIs() {

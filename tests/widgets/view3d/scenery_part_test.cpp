@@ -40,4 +40,21 @@ TEST(SceneryPart, leavesOutWhatIsNoSolid) {
     EXPECT_EQ(scenery.items().size(), 1U);
 }
 
+TEST(SceneryPart, roundBodiesReachARadiusBeyondTheirAxis) {
+    SceneryPart scenery;
+    SceneryItem bar{
+        .name = QStringLiteral("bar"), .axis_m = {{0.1, 0.0, 0.2}, {0.5, 0.0, 0.2}}, .radius_m = 0.01};
+    SceneryItem ball{.name = QStringLiteral("ball"), .axis_m = {{0.0, 0.3, 0.0}}, .radius_m = 0.05};
+    SceneryItem thin = bar;
+    thin.radius_m = 0.0;
+    SceneryItem broken = ball;
+    broken.axis_m[0].y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(scenery.set(std::vector{bar, ball, thin, broken}));
+    EXPECT_EQ(scenery.items().size(), 2U);
+    const Eigen::AlignedBox3d box = scenery.box_m();
+    EXPECT_LT((box.min() - Eigen::Vector3d(-0.05, -0.01, -0.05)).norm(), 1e-12);
+    EXPECT_LT((box.max() - Eigen::Vector3d(0.51, 0.35, 0.21)).norm(), 1e-12);
+    EXPECT_EQ(SceneryPart::placeOfName_m(bar), Eigen::Vector3d(0.5, 0.0, 0.2));
+}
+
 } // namespace teleta::view3d

@@ -12,6 +12,9 @@ namespace {
 constexpr double kOpacity = 0.3;
 
 bool isDrawable(const SceneryItem& item) {
+    if (!item.axis_m.empty())
+        return item.radius_m > 0.0 && std::isfinite(item.radius_m) &&
+               std::ranges::all_of(item.axis_m, [](const Eigen::Vector3d& p) { return p.allFinite(); });
     return item.outline_m.size() >= 3 && std::isfinite(item.z_m) &&
            std::ranges::all_of(item.outline_m, [](const Eigen::Vector2d& p) { return p.allFinite(); });
 }
@@ -29,11 +32,13 @@ SceneryPart::SceneryPart() {
 void SceneryPart::addTo(vtkRenderer* renderer) {
     renderer->AddActor(m_solids.actor);
     renderer->AddActor(m_edges.actor);
+    renderer->AddActor(m_rounds.actor);
 }
 
 void SceneryPart::setVisible(bool visible) {
     m_solids.actor->SetVisibility(visible);
     m_edges.actor->SetVisibility(visible);
+    m_rounds.actor->SetVisibility(visible);
 }
 
 void SceneryPart::applyColours(const SceneColours& colours) {
@@ -55,19 +60,43 @@ Eigen::AlignedBox3d SceneryPart::box_m() const {
     Eigen::AlignedBox3d box;
     if (!isVisible())
         return box;
-    for (const SceneryItem& item : m_items)
+    for (const SceneryItem& item : m_items) {
+        for (const Eigen::Vector3d& p : item.axis_m) {
+            box.extend(p + Eigen::Vector3d::Constant(item.radius_m));
+            box.extend(p - Eigen::Vector3d::Constant(item.radius_m));
+        }
+        if (!item.axis_m.empty())
+            continue;
         for (const Eigen::Vector2d& corner : item.outline_m) {
             box.extend(at(corner, item.z_m - kHalfHeight_m));
             box.extend(at(corner, item.z_m + kHalfHeight_m));
         }
+    }
     return box;
+}
+
+Eigen::Vector3d SceneryPart::placeOfName_m(const SceneryItem& item) {
+    if (!item.axis_m.empty())
+        return item.axis_m.back();
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : item.outline_m)
+        box.extend(corner);
+    return at(box.center(), item.z_m);
 }
 
 void SceneryPart::rebuild() {
     m_solids.clear();
     m_edges.clear();
+    m_rounds.clear();
     const QRgb colour = m_colours.faintText.rgb();
     for (const SceneryItem& item : m_items) {
+        if (!item.axis_m.empty()) {
+            m_rounds.sphere(item.axis_m.front(), item.radius_m, colour);
+            m_rounds.sphere(item.axis_m.back(), item.radius_m, colour);
+            for (std::size_t i = 1; i < item.axis_m.size(); ++i)
+                m_rounds.cone(item.axis_m[i - 1], item.axis_m[i], item.radius_m, item.radius_m, colour);
+            continue;
+        }
         const std::size_t corners = item.outline_m.size();
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
         for (const Eigen::Vector2d& corner : item.outline_m)
@@ -91,6 +120,7 @@ void SceneryPart::rebuild() {
     }
     m_solids.finish();
     m_edges.finish();
+    m_rounds.finish();
 }
 
 } // namespace teleta::view3d

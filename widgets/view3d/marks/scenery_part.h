@@ -13,8 +13,9 @@
 
 namespace teleta::view3d {
 
-/// What a simulated world has around the arm, as translucent solids with their edges. World frame. Items with
-/// fewer than three corners, or with numbers that are not finite, are left out. Thread: one.
+/// What a simulated world has around the arm, as translucent solids with their edges; what is round is solid.
+/// World frame. Items without an axis and with fewer than three corners, or with numbers that are not finite,
+/// are left out. Thread: one.
 class SceneryPart {
 public:
     /// A solid reaches so far above and below the plane of its outline.
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] bool isVisible() const { return m_edges.actor->GetVisibility() != 0; }
     /// Of all items; empty when they are not shown.
     [[nodiscard]] Eigen::AlignedBox3d box_m() const;
+    /// Where the name of an item belongs: the middle of an outline, the end of an axis.
+    [[nodiscard]] static Eigen::Vector3d placeOfName_m(const SceneryItem& item);
 
 private:
     void rebuild();
@@ -40,6 +43,7 @@ private:
     SceneColours m_colours;
     Mesh m_solids{Mesh::Shading::flat};
     Mesh m_edges{Mesh::Shading::none};
+    Mesh m_rounds{Mesh::Shading::smooth};
 };
 
 } // namespace teleta::view3d

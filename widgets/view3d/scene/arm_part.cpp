@@ -114,16 +114,19 @@ void ArmPart::drawLink(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
 
 void ArmPart::drawBase(const Eigen::Vector3d& shoulder, double radius_m) {
     const double height_m = shoulder.z() - m_ground_m;
-    if (height_m < 1.5 * radius_m)
+    if (height_m < -radius_m)
         return;
     const QRgb colour = m_colours.armJoint.rgb();
     const auto above = [&](double z_m) {
         return Eigen::Vector3d(shoulder.x(), shoulder.y(), m_ground_m + z_m);
     };
-    const double foot_m = std::min(0.3 * radius_m, 0.3 * height_m);
+    // An arm that begins on the ground stands on its foot alone.
+    const bool hasColumn = height_m >= 1.5 * radius_m;
+    const double foot_m = hasColumn ? std::min(0.3 * radius_m, 0.3 * height_m) : 0.3 * radius_m;
     m_solids.cone(above(0.0), above(0.7 * foot_m), 2.1 * radius_m, 2.1 * radius_m, colour);
     m_solids.cone(above(0.7 * foot_m), above(foot_m), 2.1 * radius_m, 1.9 * radius_m, colour);
-    m_solids.cone(above(foot_m), above(height_m), 0.95 * radius_m, 0.7 * radius_m, colour);
+    if (hasColumn)
+        m_solids.cone(above(foot_m), above(height_m), 0.95 * radius_m, 0.7 * radius_m, colour);
 }
 
 /// Bands around the link's projection, from dark to clear: the darkness falls without a kink at either end.

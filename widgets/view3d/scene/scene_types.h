@@ -20,11 +20,15 @@ struct DrawnObject {
     bool elsewhere = false;               ///< something else draws it unless it is marked
 };
 
-/// Something upright in a simulated world: its outline in a plane z = z_m of the world.
+/// Something in a simulated world: upright with an outline in a plane z = z_m of the world, or round.
 struct SceneryItem {
     QString name;
-    std::vector<Eigen::Vector2d> outline_m; ///< corners of a closed line, in order
+    std::vector<Eigen::Vector2d> outline_m{}; ///< corners of a closed line, in order
     double z_m = 0.0;
+    /// In the world: a tube with round ends around this line, or a ball around its only point; then the
+    /// outline does not count.
+    std::vector<Eigen::Vector3d> axis_m{};
+    double radius_m = 0.0; ///< > 0 with an axis
 
     bool operator==(const SceneryItem&) const = default;
 };

@@ -14,6 +14,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
 
 #include <utility>
 
@@ -40,11 +41,21 @@ protected:
 
 vtkStandardNewMacro(QtLogWindow);
 
+/// VTK gives an interactor a style of its own, and warns when the module of that is not linked. What is shown
+/// sets another.
+vtkSmartPointer<vtkGenericRenderWindowInteractor> makeInteractor() {
+    const int warns = vtkObject::GetGlobalWarningDisplay();
+    vtkObject::GlobalWarningDisplayOff();
+    auto made = vtkSmartPointer<vtkGenericRenderWindowInteractor>::New();
+    vtkObject::SetGlobalWarningDisplay(warns);
+    return made;
+}
+
 } // namespace
 
 struct VtkWidget::Parts {
     vtkNew<GuestRenderWindow> window;
-    vtkNew<vtkGenericRenderWindowInteractor> interactor;
+    vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor = makeInteractor();
     vtkNew<vtkCallbackCommand> onRender;
     VtkCanvas* canvas = nullptr;
     QLabel* fallback = nullptr;

@@ -111,6 +111,29 @@ private slots:
         QVERIFY(scene.sensorPose().matrix() == Eigen::Matrix4d::Identity());
     }
 
+    void whatTheArrayTouchesIsDrawnWhereItIs() {
+        QWidget parent;
+        view3d::Scene3dView scene(&parent);
+        ServoViews views(scene, &parent);
+        auto link = std::make_shared<servo::ServoLink>();
+        link->body = {.name = "bar", .axis_m = {{-0.1, 0.0, -0.003}, {0.4, 0.0, -0.003}}, .radius_m = 0.003};
+        views.setServo(link, QStringLiteral("bar"), base::Provenance::simulated);
+        QVERIFY(scene.scenery().empty());
+        publish(*link, servo::TaskKind::explore);
+        views.tick();
+        QCOMPARE(scene.scenery().size(), 1U);
+        QCOMPARE(scene.scenery()[0].name, QStringLiteral("bar"));
+        QVERIFY((scene.scenery()[0].axis_m[1] - Eigen::Vector3d(0.4, 0.0, -0.003)).norm() < 1e-12);
+        servo::ServoReport& moved = link->reports.back();
+        moved = link->reports.front();
+        moved.X_Base_Object.translation() = Eigen::Vector3d(0.0, 0.0, 0.2);
+        link->reports.publish();
+        views.tick();
+        QVERIFY((scene.scenery()[0].axis_m[1] - Eigen::Vector3d(0.4, 0.0, 0.197)).norm() < 1e-12);
+        views.setServo(nullptr, {}, base::Provenance::live);
+        QVERIFY(scene.scenery().empty());
+    }
+
     void theEdgeIsKeptInStepsOfAMillimetreAndForgottenWithItsRun() {
         QWidget parent;
         view3d::Scene3dView scene(&parent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/scene/scene_reader.h"
 #include "backend/simulation/servo/servo_array.h"
+#include "backend/simulation/servo/touched_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,36 @@ TEST_F(ServoArrayTest, theServoReportsItsTaskAndTheEdgeThatItFollows) {
     EXPECT_NEAR(force_N, 10.0, 2.0);
     ASSERT_FALSE(edge_m.empty());
     EXPECT_GT((edge_m.back() - edge_m.front()).norm(), 0.005);
+}
+
+TEST_F(ServoArrayTest, theBodyLiesWhereTheArrayFeelsIt) {
+    const servo::ServoReport& report = run(8.0);
+    const servo::TouchedBody& body = m_link->body;
+    EXPECT_EQ(body.name, "metal bar");
+    ASSERT_EQ(body.axis_m.size(), 2U);
+    const Eigen::Vector3d from = report.X_Base_Object * body.axis_m[0];
+    const Eigen::Vector3d along = (report.X_Base_Object * body.axis_m[1] - from).normalized();
+    Eigen::Vector3d touched = Eigen::Vector3d::Zero();
+    for (servo::ServoStep step; m_link->steps.pop(step);)
+        if (step.p_Base_Contact.allFinite())
+            touched = step.p_Base_Contact;
+    // Half a taxel is what the array resolves across the bar.
+    EXPECT_NEAR((touched - from).cross(along).norm(), body.radius_m, 0.5 * 0.0034);
+}
+
+TEST(TouchedBody, aBodysAxisIsARadiusDeepInIt) {
+    for (const char* name : {"servo-bent-bar", "servo-straight-bar", "servo-roll"}) {
+        const auto scene =
+            scene::readScene(std::string(TELETA_SOURCE_DIR) + "/resources/scenes/" + name + ".toml");
+        ASSERT_TRUE(scene.has_value()) << scene.error().message;
+        const servo::TouchedBody body = bodyOf(scene->servo().object);
+        ASSERT_FALSE(body.axis_m.empty()) << name;
+        const TouchedShape shape = makeShape(scene->servo().object.shape);
+        for (const Eigen::Vector3d& p : body.axis_m)
+            EXPECT_NEAR(std::visit([&](const auto& one) { return depthIn(one, p).depth_m; }, shape),
+                        body.radius_m, 1e-9)
+                << name << " " << p.transpose();
+    }
 }
 
 TEST_F(ServoArrayTest, stopHoldsTheCommandAndTheArmComesToRest) {
