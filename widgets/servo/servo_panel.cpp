@@ -2,6 +2,7 @@
 #include "widgets/servo/servo_panel.h"
 
 #include "widgets/base/controls/provenance_stripe.h"
+#include "widgets/base/icons.h"
 #include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -48,6 +50,9 @@ bool same(const ServoTuning& a, const ServoTuning& b) {
 
 ServoPanel::ServoPanel(QWidget* parent)
     : QWidget(parent)
+    , m_run(new QPushButton(base::themeIcon(base::Icon::play), {}, this))
+    , m_hold(new QPushButton(base::themeIcon(base::Icon::pause), {}, this))
+    , m_restart(new QPushButton(base::themeIcon(base::Icon::toStart), {}, this))
     , m_state(new QLabel(this))
     , m_limits(new QLabel(this))
     , m_verdict(new QLabel(this))
@@ -94,6 +99,15 @@ ServoPanel::ServoPanel(QWidget* parent)
     const int margin = base::grid(this);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(margin / 2);
+    m_run->setObjectName(QStringLiteral("servoRun"));
+    m_hold->setObjectName(QStringLiteral("servoHold"));
+    m_restart->setObjectName(QStringLiteral("servoRestart"));
+    auto* program = new QHBoxLayout;
+    for (QPushButton* button : {m_run, m_hold, m_restart}) {
+        button->setAutoDefault(false);
+        program->addWidget(button, 1);
+    }
+    layout->addLayout(program);
     m_tasksName->setBuddy(m_tasks);
     m_form->addRow(m_tasksName, m_tasks);
     for (QWidget* field : {m_force, m_slide, m_gain}) {
@@ -124,6 +138,9 @@ ServoPanel::ServoPanel(QWidget* parent)
             wish(changed);
         });
     };
+    connect(m_run, &QPushButton::clicked, this, [this] { emit runRequested(true); });
+    connect(m_hold, &QPushButton::clicked, this, [this] { emit runRequested(false); });
+    connect(m_restart, &QPushButton::clicked, this, &ServoPanel::restartRequested);
     connect(m_matrices, &QToolButton::toggled, this, [this](bool shown) {
         m_matrices->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
         m_picture->showMatrices(shown);
@@ -227,6 +244,9 @@ void ServoPanel::showTexts() {
     m_cost->setText(ServoTexts::cost(m_report->times, m_report->rate_Hz));
     const ServoOutput& output = m_report->output;
     const bool isHeld = m_report->stopped && !m_stopEngaged;
+    // During STOP nothing goes on; what is held stays held after it.
+    m_run->setEnabled(!m_stopEngaged);
+    m_restart->setEnabled(!m_stopEngaged);
     m_state->setText(isHeld              ? tr("The scene is held")
                      : m_report->stopped ? tr("STOP: the arm is held")
                                          : ServoTexts::contact(output.contact));
@@ -294,6 +314,12 @@ void ServoPanel::retranslate() {
         field->setToolTip(toolTip);
         field->setAccessibleName(QString(text).remove(QLatin1Char('&')));
     };
+    m_run->setText(tr("Run"));
+    m_run->setToolTip(tr("Let the scene go on (F5)"));
+    m_hold->setText(tr("Hold"));
+    m_hold->setToolTip(tr("Hold the scene where it is (Shift+F5)"));
+    m_restart->setText(tr("Restart"));
+    m_restart->setToolTip(tr("Start the scene again (Ctrl+F5)"));
     const QString task = tr("&Task");
     m_tasksName->setText(task);
     m_tasks->setToolTip(tr("The running task; choose one to start it now"));

@@ -41,6 +41,9 @@ public:
 signals:
     void tuningChanged(const teleta::servo::ServoTuning& tuning);
     void taskRequested(std::size_t index);
+    /// The scene goes on, or is held where it is.
+    void runRequested(bool running);
+    void restartRequested();
 
 private:
     void retranslate();
@@ -52,6 +55,9 @@ private:
     void showChanges();
     void wish(const ServoTuning& tuning);
 
+    QPushButton* m_run;
+    QPushButton* m_hold;
+    QPushButton* m_restart;
     QLabel* m_state;
     QLabel* m_limits;
     QLabel* m_verdict;

@@ -174,6 +174,8 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     connect(m_gel, &GelViews::exportFailed, this, report);
     connect(m_looking, &SceneViews::exportFailed, this, report);
     connect(m_servo, &ServoViews::failed, this, report);
+    connect(&m_servo->panel(), &servo::ServoPanel::runRequested, this, &OperatePage::setProgramRunning);
+    connect(&m_servo->panel(), &servo::ServoPanel::restartRequested, this, &OperatePage::restartProgram);
     connect(&m_arm->feedbackPanel(), &FeedbackPanel::failed, this, report);
     connect(&m_bracelet, &BraceletService::failed, this, &OperatePage::onBraceletFailed);
     connectPlayback();

@@ -78,6 +78,31 @@ class ServoPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theSceneIsRunHeldAndRestartedFromThePanel() {
+        ServoPanel panel;
+        panel.setStopEngaged(false);
+        panel.setReport(exploring());
+        QSignalSpy runs(&panel, &ServoPanel::runRequested);
+        QSignalSpy restarts(&panel, &ServoPanel::restartRequested);
+        const auto click = [&](const char* name) {
+            QTest::mouseClick(panel.findChild<QPushButton*>(QLatin1String(name)), Qt::LeftButton);
+        };
+        click("servoHold");
+        click("servoRun");
+        click("servoRestart");
+        QCOMPARE(runs.size(), 2);
+        QVERIFY(!runs[0][0].toBool());
+        QVERIFY(runs[1][0].toBool());
+        QCOMPARE(restarts.size(), 1);
+        panel.setStopEngaged(true);
+        click("servoRun");
+        click("servoRestart");
+        QCOMPARE(runs.size(), 2);
+        QCOMPARE(restarts.size(), 1);
+        click("servoHold");
+        QCOMPARE(runs.size(), 3);
+    }
+
     void withoutAServoNothingCanBeChanged() {
         ServoPanel panel;
         QVERIFY(!panel.isEnabled());

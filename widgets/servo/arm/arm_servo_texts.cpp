@@ -47,7 +47,7 @@ QString ArmServoTexts::ending(Ending ending, const QString& hindrance) {
     case Ending::noJoints:
         return tr("Ended: the joint readings are old or unusable.");
     case Ending::hindered:
-        return hindrance.isEmpty() ? tr("Ended: the arm took no commands.")
+        return hindrance.isEmpty() ? tr("Ended: the commands came too late, or the arm took none.")
                                    : tr("Ended: the arm took no commands: %1.").arg(hindrance);
     case Ending::jointEnd:
         return tr("Ended: a joint is at the end of its range.");
