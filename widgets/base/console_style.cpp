@@ -26,6 +26,10 @@ constexpr double kLeastHandle = 3.0;     ///< its length at least
 constexpr double kGroove = 0.5;          ///< thickness of a slider's groove
 constexpr double kMenuArrow = 2.0;       ///< room for the arrow of a tool button with a menu
 constexpr double kSeparatorLength = 3.0; ///< of the grip between two views
+constexpr double kComboArrow = 1.0;    ///< more room in front of the arrow of a combo box than Fusion leaves
+constexpr double kButtonMargin = 0.75; ///< more room left and right of a button's text, both together
+constexpr double kCellMargin = 0.5;    ///< left and right of the text of a cell
+constexpr double kSectionHeight = 3.5; ///< of the name of a group in a menu
 
 double gridOf(const QStyleOption* option) {
     return option != nullptr ? std::max(4.0, 0.5 * option->fontMetrics.height()) : 8.0;
@@ -35,6 +39,22 @@ bool hasMenuArrow(const QStyleOptionComplex* option) {
     const auto* tool = qstyleoption_cast<const QStyleOptionToolButton*>(option);
     return tool != nullptr && tool->features.testFlag(QStyleOptionToolButton::HasMenu) &&
            !tool->features.testFlag(QStyleOptionToolButton::MenuButtonPopup);
+}
+
+/// The name of a group in a menu.
+const QStyleOptionMenuItem* menuSection(const QStyleOption* option) {
+    const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+    return item != nullptr && item->menuItemType == QStyleOptionMenuItem::Separator && !item->text.isEmpty()
+               ? item
+               : nullptr;
+}
+
+/// A view whose selection tells where the keyboard is: whole rows, one of them, and nothing to type in a
+/// cell.
+bool showsRowAsCurrent(const QAbstractItemView& view) {
+    return view.selectionBehavior() == QAbstractItemView::SelectRows &&
+           view.selectionMode() == QAbstractItemView::SingleSelection &&
+           view.editTriggers() == QAbstractItemView::NoEditTriggers;
 }
 
 bool isFilled(const QStyleOption* option) {
@@ -175,7 +195,10 @@ void ConsoleStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
         // Buttons and tabs show it themselves.
         if (!flat.has(State_KeyboardFocusChange) || qobject_cast<const QTabBar*>(widget) != nullptr)
             return;
-        const bool isCell = qobject_cast<const QAbstractItemView*>(widget) != nullptr;
+        const auto* view = qobject_cast<const QAbstractItemView*>(widget);
+        const bool isCell = view != nullptr;
+        if (isCell && flat.has(State_Selected) && showsRowAsCurrent(*view))
+            return;
         const QColor ring = isCell && flat.has(State_Selected)
                                 ? option->palette.color(QPalette::HighlightedText)
                                 : flat.colours().ring;
@@ -246,6 +269,20 @@ void ConsoleStyle::drawControl(ControlElement element, const QStyleOption* optio
     case CE_TabBarTabShape:
         if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option))
             return drawTab(*tab, *painter);
+        break;
+    case CE_MenuItem:
+        if (const QStyleOptionMenuItem* section = menuSection(option)) {
+            const auto in = static_cast<int>(std::lround(gridOf(option)));
+            QFont font = section->font;
+            font.setBold(true);
+            painter->save();
+            painter->setFont(font);
+            painter->setPen(option->palette.color(QPalette::PlaceholderText));
+            painter->drawText(option->rect.adjusted(in, in / 2, -in, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                              section->text);
+            painter->restore();
+            return;
+        }
         break;
     case CE_HeaderSection: {
         const QRectF rect(option->rect);
@@ -422,8 +459,21 @@ QSize ConsoleStyle::sizeFromContents(ContentsType type, const QStyleOption* opti
     QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
     const auto least = static_cast<int>(std::lround(kControlHeight * gridOf(option)));
     switch (type) {
-    case CT_PushButton:
+    case CT_MenuItem:
+        if (const QStyleOptionMenuItem* section = menuSection(option)) {
+            QFont font = section->font;
+            font.setBold(true);
+            return {QFontMetrics(font).horizontalAdvance(section->text) +
+                        static_cast<int>(std::lround(2.0 * gridOf(option))),
+                    static_cast<int>(std::lround(kSectionHeight * gridOf(option)))};
+        }
+        return size;
     case CT_ComboBox:
+        size.rwidth() += static_cast<int>(std::lround(kComboArrow * gridOf(option)));
+        return {size.width(), std::max(contents.height() + 2 * kFieldEdge_px, least)};
+    case CT_PushButton:
+        size.rwidth() += static_cast<int>(std::lround(kButtonMargin * gridOf(option)));
+        [[fallthrough]];
     case CT_LineEdit:
         return {size.width(), std::max(contents.height() + 2 * kFieldEdge_px, least)};
     case CT_SpinBox: // around a line edit
@@ -445,6 +495,10 @@ int ConsoleStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, co
             std::lround(kScrollExtent * (option != nullptr   ? gridOf(option)
                                          : widget != nullptr ? static_cast<double>(grid(widget))
                                                              : 8.0)));
+    case PM_HeaderMargin:
+    case PM_FocusFrameHMargin:
+        return static_cast<int>(std::lround(kCellMargin * (widget != nullptr ? grid(widget) : 8.0))) +
+               (metric == PM_HeaderMargin ? 1 : 0); // a cell adds a pixel of its own
     case PM_TabBarTabHSpace: {
         // The names of many docks have to share the width of one.
         const int space = QProxyStyle::pixelMetric(metric, option, widget);

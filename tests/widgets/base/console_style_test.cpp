@@ -276,6 +276,41 @@ private slots:
     }
 
     /// A scroll bar without buttons: its handle goes from end to end, and a click beside it turns a page.
+    void theNameOfAGroupInAMenuHasTheRoomOfAnEntry() {
+        QMenu menu;
+        const QAction* name = menu.addSection(QStringLiteral("A group with a long name"));
+        const QAction* entry = menu.addAction(QStringLiteral("entry"));
+        menu.popup(QPoint(0, 0));
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        const QRect room = menu.actionGeometry(const_cast<QAction*>(name));
+        QVERIFY(room.height() >= menu.actionGeometry(const_cast<QAction*>(entry)).height());
+        QFont bold = menu.font();
+        bold.setBold(true);
+        QVERIFY(room.width() >= QFontMetrics(bold).horizontalAdvance(name->text()));
+    }
+
+    void aRowThatIsChosenShowsNoCellApart() {
+        QTableWidget table(3, 3);
+        table.setSelectionMode(QAbstractItemView::SingleSelection);
+        table.setSelectionBehavior(QAbstractItemView::SelectRows);
+        table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+        table.setShowGrid(false);
+        table.resize(400, 200);
+        table.show();
+        table.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&table));
+        table.setFocus();
+        const auto picture = [&](int column, const QAbstractItemView::SelectionBehavior behaviour) {
+            table.setSelectionBehavior(behaviour);
+            table.setCurrentCell(1, column);
+            QTest::keyClick(&table, Qt::Key_Right); // the ring is for the keyboard
+            return pictureOf(*table.viewport());
+        };
+        // The ring of a cell moves with the current column; a row stays as it is.
+        QVERIFY(picture(0, QAbstractItemView::SelectRows) == picture(1, QAbstractItemView::SelectRows));
+        QVERIFY(picture(0, QAbstractItemView::SelectItems) != picture(1, QAbstractItemView::SelectItems));
+    }
+
     void aScrollBarIsUsedWithTheMouse() {
         const auto bar = make<QScrollBar>(Qt::Vertical);
         bar->resize(20, 300);
