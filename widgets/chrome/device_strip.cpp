@@ -167,7 +167,7 @@ int DeviceStrip::place(Detail detail) {
         cell.shown = compose(cell, detail, cell.reading.name);
         // A name is shortened only when the word is gone, but for one that warns.
         const bool warns = cell.reading.provenance == base::Provenance::unguarded;
-        cell.word = detail == Detail::all                 ? wordOf(cell.reading.provenance)
+        cell.word = detail < Detail::shortWords           ? wordOf(cell.reading.provenance)
                     : detail != Detail::cutShort || warns ? shortWordOf(cell.reading.provenance)
                                                           : QString();
         widths.push_back(std::ceil(besideText(cell) + base::tabularWidth(metrics, cell.shown)));
@@ -191,8 +191,8 @@ int DeviceStrip::place(Detail detail) {
 void DeviceStrip::arrange() {
     const int wanted_px = place(Detail::all);
     if (wanted_px > width()) {
-        for (const Detail detail :
-             {Detail::withoutLatencies, Detail::nameAndRate, Detail::troubles, Detail::cutShort})
+        for (const Detail detail : {Detail::withoutLatencies, Detail::shortWords, Detail::nameAndRate,
+                                    Detail::troubles, Detail::cutShort})
             if (place(detail) <= width())
                 break;
     }

@@ -31,9 +31,10 @@ struct DeviceReading {
 };
 
 /// The devices in the status bar: symbol, name, state, rate and losses of each. When space is short the texts
-/// are reduced step by step: first without latencies, then without devices' normal states, finally the
-/// longest are elided; the tool tip and assistive tools always have the full text. A click asks for the
-/// device's views. Numbers change only by visible steps. Thread: GUI.
+/// are reduced step by step: first without latencies, then with a short word for what is not live, then
+/// without devices' normal states, finally the longest are elided; the tool tip and assistive tools always
+/// have the full text. A click asks for the device's views. Numbers change only by visible steps. Thread:
+/// GUI.
 class DeviceStrip : public QWidget {
     Q_OBJECT
 
@@ -60,7 +61,7 @@ protected:
 
 private:
     /// Of the full text.
-    enum class Detail { all, withoutLatencies, nameAndRate, troubles, cutShort };
+    enum class Detail { all, withoutLatencies, shortWords, nameAndRate, troubles, cutShort };
     struct Cell {
         DeviceReading reading;
         base::SteadyNumber rate{1.0};

@@ -145,6 +145,22 @@ private slots:
         QCOMPARE(strip.shownText(2), strip.text(2));
     }
 
+    void theWordForWhatIsNotLiveIsCutOnlyAfterTheLatencies() {
+        DeviceReading reading = live("array");
+        reading.provenance = Provenance::simulated;
+        DeviceStrip without;
+        without.show();
+        without.setReadings({reading});
+        without.resize(without.sizeHint());
+        reading.touchToSkin_s = 0.0032;
+        DeviceStrip strip;
+        strip.show();
+        strip.setReadings({reading});
+        strip.resize(without.size());
+        QVERIFY(strip.shownText(0) != strip.text(0));
+        QVERIFY(strip.grab().toImage() == without.grab().toImage());
+    }
+
     void aNameIsWholeAsLongAsAnyWordIsThere() {
         DeviceStrip strip;
         DeviceReading arm = live("teleoperation");
