@@ -174,19 +174,18 @@ QWidget* CostPage::makeLadderColumn() {
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progressText = wrapped(column);
-    // They keep their places when hidden, so that a click that is meant to cancel never hits a button that
-    // starts a measurement.
-    for (QWidget* widget : {static_cast<QWidget*>(m_cancel), static_cast<QWidget*>(m_progress)}) {
-        QSizePolicy policy = widget->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        widget->setSizePolicy(policy);
-    }
     for (const cost::Ladder& ladder : m_measuring->ladders()) {
         auto* item = new QListWidgetItem(m_list);
         item->setData(Qt::UserRole, QString::fromStdString(ladder.name));
     }
-    columnOf(column, {m_ladderHeading, m_list, m_measure, m_measureAll, m_progressText, m_progress, m_cancel})
-        ->setStretchFactor(m_list, 1);
+    // Cancel keeps its place, so that a click that is meant for it never starts a measurement; the list gives
+    // the room that the progress takes.
+    auto* layout = columnOf(column, {m_ladderHeading, m_list, m_progressText, m_progress, m_measure});
+    layout->setStretchFactor(m_list, 1);
+    auto* all = new QHBoxLayout;
+    all->addWidget(m_measureAll, 2);
+    all->addWidget(m_cancel, 1);
+    layout->addLayout(all);
     column->setMinimumWidth(base::em(this, 18));
     return column;
 }
@@ -377,8 +376,7 @@ void CostPage::showRunning() {
     m_measure->setEnabled(!running);
     m_measureAll->setEnabled(!running);
     m_measureEmpty->setEnabled(!running);
-    m_cancel->setEnabled(!m_measuring->isCancelled());
-    m_cancel->setVisible(running);
+    m_cancel->setEnabled(running && !m_measuring->isCancelled());
     m_progress->setVisible(running);
     if (running) {
         m_progressText->setText(m_measuring->isCancelled() ? tr("Stopping\u2026") : tr("Preparing\u2026"));
