@@ -95,6 +95,23 @@ class JogPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatIsUnderTheMouseStaysWhenTheKeyboardComesAndGoes() {
+        Desk desk;
+        QVERIFY(desk.active);
+        desk.window.resize(desk.window.minimumSizeHint().width(), desk.window.height());
+        const auto* range = desk.panel->findChild<JointRange*>("range0");
+        const auto place = [&] {
+            QCoreApplication::processEvents();
+            return range->mapTo(desk.panel, QPoint()).y();
+        };
+        QTest::mouseClick(desk.line, Qt::LeftButton);
+        QVERIFY(desk.line->hasFocus());
+        const int without = place();
+        QTest::mouseClick(desk.panel, Qt::LeftButton, {}, QPoint(1, desk.panel->height() - 2));
+        QVERIFY(desk.panel->hasFocus());
+        QCOMPARE(place(), without);
+    }
+
     void aDirectionWithoutTheDeadManDoesNothing() {
         Desk desk;
         desk.press(Qt::Key_Q);

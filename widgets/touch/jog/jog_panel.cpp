@@ -537,6 +537,8 @@ bool JogPanel::event(QEvent* event) {
         return true;
     if (event->type() == QEvent::WindowDeactivate)
         releaseAll();
+    if (event->type() == QEvent::Resize)
+        showHint(); // in another number of lines
     if (event->type() == QEvent::ShortcutOverride) {
         // The letters are the panel's own while it has the focus.
         const auto& key = *static_cast<QKeyEvent*>(event);

@@ -125,12 +125,18 @@ void JogPanel::showHint() {
             ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
             : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
                   .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down));
-    QString text = hasKeyboard() ? how : tr("Click here first: the keys work only in this view. %1").arg(how);
-    if (m_arm && !m_arm->guarded)
-        text = tr("UNGUARDED: the robot does not stop by itself when this program or the network fails. "
-                  "Keep its emergency stop within reach. %1")
-                   .arg(text);
-    m_message->setText(text);
+    const QString longer = tr("Click here first: the keys work only in this view. %1").arg(how);
+    const auto whole = [this](const QString& text) {
+        return m_arm && !m_arm->guarded
+                   ? tr("UNGUARDED: the robot does not stop by itself when this program or "
+                        "the network fails. Keep its emergency stop within reach. %1")
+                         .arg(text)
+                   : text;
+    };
+    // What is below must not move under the mouse when the keyboard comes or goes.
+    m_message->setText(whole(longer));
+    m_message->setMinimumHeight(m_message->heightForWidth(m_message->width()));
+    m_message->setText(whole(hasKeyboard() ? how : longer));
 }
 
 void JogPanel::setReport(const core::ArmReport& report) {
