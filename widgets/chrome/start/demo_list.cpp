@@ -17,6 +17,7 @@ namespace {
 constexpr int kMostColumns = 4;
 constexpr double kColumn_em = 21.0;
 constexpr double kSmallColumn_em = 13.0;
+constexpr double kGroupGap = 1.0; ///< above a heading, more than below it
 constexpr double kCardGap = 0.75; ///< in steps of the grid
 
 /// The least height of the highest of some columns that hold groups of these heights in their order.
@@ -109,7 +110,7 @@ DemoList::Plan DemoList::planOf(bool isSmall, int width) const {
     // All headings and all cards are alike.
     const auto size = isSmall ? DemoCard::Size::small : DemoCard::Size::large;
     const int card = DemoCard::heightOf(*this, size) + base::grid(this, kCardGap);
-    const int heading = m_groups.front().heading->sizeHint().height() + base::grid(this);
+    const int heading = m_groups.front().heading->sizeHint().height() + base::grid(this, 1.0 + kGroupGap);
     std::vector<int> heights;
     for (const Group& group : m_groups)
         heights.push_back(heading + group.cards * card);
@@ -146,7 +147,7 @@ void DemoList::arrange() {
         card->setSize(plan.isSmall ? DemoCard::Size::small : DemoCard::Size::large);
     for (const std::vector<std::size_t>& groups : plan.columns) {
         auto* column = new QVBoxLayout;
-        column->setSpacing(0);
+        column->setSpacing(base::grid(this, kGroupGap));
         for (const std::size_t group : groups)
             column->addWidget(m_groups[group].box);
         column->addStretch(1);

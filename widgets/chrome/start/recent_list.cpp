@@ -18,7 +18,9 @@ namespace teleta::chrome {
 
 namespace {
 
-constexpr double kListWidth_em = 12.0; ///< of a text, at most: four fit into a small window
+constexpr double kListWidth_em = 12.0; ///< of a text: four fit into a small window
+constexpr double kMostWidth_em = 30.0; ///< where there is room
+constexpr double kBesideText_em = 5.0; ///< icon and margins of a button
 constexpr QSizeF kRecentPicture_em(2.6, 1.7);
 
 } // namespace
@@ -92,14 +94,25 @@ void RecentList::fill(QToolButton& button, const RecentName& name, const QString
     button.setIcon(icon);
     button.setFocusPolicy(Qt::StrongFocus);
     const auto shown = [this](const QString& text) {
-        return base::withoutMnemonic(
-            fontMetrics().elidedText(text, Qt::ElideMiddle, base::em(this, kListWidth_em)));
+        return base::withoutMnemonic(fontMetrics().elidedText(text, Qt::ElideMiddle, textWidth()));
     };
     button.setText(name.about.isEmpty() ? shown(name.title)
                                         : shown(name.title) + QLatin1Char('\n') + shown(name.about));
     button.setAccessibleName(name.oneLine());
     button.setAccessibleDescription(about);
     button.setToolTip(about);
+}
+
+int RecentList::textWidth() const {
+    const int buttons = std::max(1, static_cast<int>(m_files.size()) + (m_session.isEmpty() ? 0 : 1));
+    const int room = (width() - m_title->sizeHint().width()) / buttons - base::em(this, kBesideText_em);
+    return std::clamp(room, base::em(this, kListWidth_em), base::em(this, kMostWidth_em));
+}
+
+void RecentList::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (event->oldSize().width() != event->size().width())
+        retranslate();
 }
 
 void RecentList::retranslate() {

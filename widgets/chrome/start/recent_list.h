@@ -41,7 +41,12 @@ signals:
     void fileRequested(const QString& path);
     void sessionRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    /// Of a text at most; the row is shared evenly.
+    [[nodiscard]] int textWidth() const;
     void retranslate();
     void fill(QToolButton& button, const RecentName& name, const QString& about, const QIcon& icon);
 

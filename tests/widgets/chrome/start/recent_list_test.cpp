@@ -34,6 +34,16 @@ private slots:
         QCOMPARE(asked[1][0].toString(), QStringLiteral("/a/two.toml"));
     }
 
+    void aNameIsCutOnlyWhereThereIsNoRoom() {
+        m_list->setSession(QStringLiteral("teleoperation of 2026-11-30 00:27, 29 s"));
+        const auto* reopen = m_list->findChild<QToolButton*>("reopenSession");
+        const int line = m_list->fontMetrics().height();
+        m_list->resize(90 * line, m_list->height());
+        QTRY_COMPARE(reopen->text(), QStringLiteral("Reopen teleoperation of 2026-11-30 00:27, 29 s"));
+        m_list->resize(40 * line, m_list->height());
+        QTRY_VERIFY(reopen->text().contains(QChar(0x2026)));
+    }
+
     void aPictureComesAndTheFocusStays() {
         files()[1]->setFocus();
         QTRY_VERIFY(files()[1]->hasFocus());
