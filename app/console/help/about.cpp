@@ -2,14 +2,17 @@
 #include "app/console/help/about.h"
 
 #include "app/console/help/library_versions.h"
+#include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/view3d/vtk/vtk_version.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFont>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QIcon>
 #include <QLabel>
 #include <QScreen>
 #include <QScrollBar>
@@ -72,7 +75,7 @@ void openAbout(QWidget* parent) {
         {"toml++", built(kTomlVersion), "MIT"},
     };
     QString text =
-        QStringLiteral("<h2>%1 %2</h2><p>%3</p><p>%4</p><table cellspacing='4'>")
+        QStringLiteral("<h2>%1 %2</h2><p>%3</p><p>%4</p><table cellspacing='4' cellpadding='2'>")
             .arg(AboutText::tr("TeleTA Console"), QCoreApplication::applicationVersion(),
                  AboutText::tr("Shows, and lets the operator feel, what a remote robot arm touches."),
                  AboutText::tr("Free software under the GNU General Public License, version 3 or later. "
@@ -82,9 +85,19 @@ void openAbout(QWidget* parent) {
                     .arg(QLatin1String(name), version, QLatin1String(licence));
     text += QStringLiteral("</table>");
     auto* label = new QLabel(text);
+    label->setObjectName(QStringLiteral("aboutText"));
     label->setTextInteractionFlags(Qt::TextBrowserInteraction);
     label->setWordWrap(true);
-    makeDialog(parent, AboutText::tr("About TeleTA Console"), label)->open();
+    auto* content = new QWidget;
+    auto* picture = new QLabel(content);
+    picture->setObjectName(QStringLiteral("icon"));
+    picture->setPixmap(QApplication::windowIcon().pixmap(base::em(content, 5.0)));
+    auto* row = new QHBoxLayout(content);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(base::grid(content, base::kSection));
+    row->addWidget(picture, 0, Qt::AlignTop);
+    row->addWidget(label, 1);
+    makeDialog(parent, AboutText::tr("About TeleTA Console"), content)->open();
 }
 
 void openShortcuts(QWidget* parent) {
@@ -95,6 +108,7 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Ctrl+1 to 6"), AboutText::tr("Page Operate, Patterns, Study, Calibrate, Cost, Plot")},
         {AboutText::tr("Ctrl+Z, Ctrl+Y"),
          AboutText::tr("Undo, redo: marks on the page Operate, edits on the pages Patterns and Calibrate")},
+        {AboutText::tr("Ctrl+,"), AboutText::tr("Preferences")},
         {AboutText::tr("F11"), AboutText::tr("Full screen")},
         {AboutText::tr("F1"), AboutText::tr("Handbook: the page on what is shown")},
         {AboutText::tr("Shift+F1"), AboutText::tr("What's This")},
@@ -102,6 +116,10 @@ void openShortcuts(QWidget* parent) {
         {AboutText::tr("Ctrl+R, M"), AboutText::tr("Record, mark this moment in the recording")},
         {AboutText::tr("F5, Shift+F5, Ctrl+F5"),
          AboutText::tr("Run the program of the arm, hold it, restart it")},
+        {AboutText::tr("Shift with Q W E R, A S D F"), AboutText::tr("Move the arm, in Jog")},
+        {AboutText::tr("Ctrl+Shift+M"),
+         AboutText::tr("Show one view alone, or all again; a double click on its title does the same")},
+        {AboutText::tr("Ctrl+W"), AboutText::tr("Close the source that is shown")},
         {AboutText::tr("Ctrl+Shift+N"), AboutText::tr("Forget the explored contour")},
         {AboutText::tr("Ctrl+Alt+C"), AboutText::tr("Release control of the site")},
         {AboutText::tr("Arrow keys"), AboutText::tr("Move the read-out from taxel to taxel, in the heatmap")},
@@ -141,6 +159,8 @@ void openShortcuts(QWidget* parent) {
     table->verticalHeader()->hide();
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setShowGrid(false);
     for (int row = 0; row < table->rowCount(); ++row) {
         const auto& [keys, effect] = shortcuts[static_cast<std::size_t>(row)];
         auto* first = new QTableWidgetItem(keys);

@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QToolBar>
@@ -45,6 +46,11 @@ public:
         QTextBlockFormat lines;
         lines.setLineHeight(kLineHeight_percent, QTextBlockFormat::ProportionalHeight);
         cursor.mergeBlockFormat(lines);
+        // A picture needs no room between lines, which would be a share of its own height.
+        lines.setLineHeight(100.0, QTextBlockFormat::ProportionalHeight);
+        for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
+            if (!block.begin().atEnd() && block.begin().fragment().charFormat().isImageFormat())
+                QTextCursor(block).mergeBlockFormat(lines);
         for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
             auto* table = qobject_cast<QTextTable*>(frame);
             if (table == nullptr)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/help/about.h"
 
+#include <QApplication>
 #include <QDialog>
+#include <QIcon>
+#include <QImage>
 #include <QLabel>
+#include <QPixmap>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QScrollBar>
@@ -29,8 +33,8 @@ private slots:
         QStringList keys;
         for (int row = 0; row < table->rowCount(); ++row)
             keys << table->item(row, 0)->text();
-        for (const char* known :
-             {"Ctrl+1 to 6", "F5, Shift+F5, Ctrl+F5", "Ctrl+Shift+N", "Ctrl+Z, Ctrl+Y", "F11", "F1"})
+        for (const char* known : {"Ctrl+1 to 6", "F5, Shift+F5, Ctrl+F5", "Ctrl+Shift+M", "Ctrl+Shift+N",
+                                  "Ctrl+Z, Ctrl+Y", "F11", "F1"})
             QVERIFY2(keys.contains(QLatin1String(known)), known);
         QCOMPARE(table->item(0, 0)->text(), "Everywhere");
         QCOMPARE(table->columnSpan(0, 0), 2);
@@ -82,13 +86,18 @@ private slots:
     }
 
     void namesEachLibraryWithItsVersionAndLicence() {
+        QPixmap icon(64, 64);
+        icon.fill(Qt::red);
+        QApplication::setWindowIcon(QIcon(icon));
         QWidget window;
         window.show();
         teleta::console::openAbout(&window);
         const auto* dialog = window.findChild<QDialog*>();
         QVERIFY(dialog != nullptr);
         QTextDocument text;
-        text.setHtml(dialog->findChild<QLabel*>()->text());
+        text.setHtml(dialog->findChild<QLabel*>("aboutText")->text());
+        const QImage shown = dialog->findChild<QLabel*>("icon")->pixmap().toImage();
+        QCOMPARE(shown.pixelColor(shown.rect().center()), QColor(Qt::red));
         const QString plain = text.toPlainText();
         for (const char* library :
              {"Qt", "VTK", "QCustomPlot", "Eigen", "OpenCV", "Boost", "hidapi", "libmodbus", "librsvg",

@@ -4,6 +4,7 @@
 #include "app/console/help/handbook.h"
 #include "app/console/help/handbook_window.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -11,6 +12,7 @@
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QTest>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
 
@@ -104,6 +106,16 @@ private slots:
                     document->resource(QTextDocument::ImageResource, QUrl(picture)).value<QImage>();
                 QVERIFY2(image.width() > 100, qPrintable(picture));
                 ++shown;
+            }
+            // Below a picture is no more room than between lines of text.
+            for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
+                if (block.begin().atEnd() || !block.begin().fragment().charFormat().isImageFormat())
+                    continue;
+                const QTextImageFormat format = block.begin().fragment().charFormat().toImageFormat();
+                const auto image =
+                    document->resource(QTextDocument::ImageResource, QUrl(format.name())).value<QImage>();
+                const double height = document->documentLayout()->blockBoundingRect(block).height();
+                QVERIFY2(height < image.deviceIndependentSize().height() + 60.0, qPrintable(format.name()));
             }
         }
         QCOMPARE(shown, static_cast<int>(QDir(":/handbook/pictures").entryList(QDir::Files).size()));
