@@ -11,6 +11,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
 
 #include <algorithm>
@@ -183,16 +184,26 @@ void BraceletView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(m_held == i ? accent : base::mixed(ground, text, 0.45), m_held == i ? 3.0 : 1.5));
         painter.setBrush(base::mixed(ground, text, 0.02));
         painter.drawEllipse(centre, layout.radius, layout.radius);
+        const double filled = layout.radius * std::sqrt(intensity);
         if (intensity > 0.0) {
             painter.setPen(m_preview ? QPen(accent, 1.5, Qt::DashLine) : QPen(Qt::NoPen));
             painter.setBrush(m_preview ? base::mixed(ground, accent, 0.12) : accent);
-            const double filled = layout.radius * std::sqrt(intensity);
             painter.drawEllipse(centre, filled, filled);
         }
-        painter.setPen(intensity > 0.3 && !m_preview ? base::readableOn(accent) : text);
-        painter.drawText(
-            QRectF(centre.x() - layout.radius, centre.y() - 0.5 * line, 2.0 * layout.radius, line),
-            Qt::AlignCenter, QString::number(i + 1));
+        const QRectF digit(centre.x() - layout.radius, centre.y() - 0.5 * line, 2.0 * layout.radius, line);
+        painter.setPen(text);
+        painter.drawText(digit, Qt::AlignCenter, QString::number(i + 1));
+        if (intensity > 0.0 && !m_preview) {
+            // The part of it on the disc, which may be smaller.
+            QPainterPath disc;
+            disc.addEllipse(centre, filled, filled);
+            painter.save();
+            painter.setClipPath(disc);
+            painter.fillPath(disc, accent);
+            painter.setPen(base::readableOn(accent));
+            painter.drawText(digit, Qt::AlignCenter, QString::number(i + 1));
+            painter.restore();
+        }
         const QRectF below(centre.x() - 2.0 * layout.em, centre.y() + layout.radius + 0.1 * line,
                            4.0 * layout.em, line);
         painter.setPen(intensity > 0.0 && !m_preview ? text : faint);

@@ -108,8 +108,9 @@ void ExportDialog::showFormat() {
     m_carrier->setEnabled(wav && m_signal->currentIndex() == 0);
     m_rate->setDecimals(wav ? 0 : 3);
     m_rate->setMinimum(wav ? 1.0 : pattern::kLowestRate_Hz);
-    if (sampled)
-        m_rate->setValue(wav ? pattern::kWavRate_Hz : pattern::kCsvRate_Hz);
+    // A format without samples has no rate.
+    m_rate->setSpecialValueText(sampled ? QString() : QStringLiteral("\u2014"));
+    m_rate->setValue(wav ? pattern::kWavRate_Hz : sampled ? pattern::kCsvRate_Hz : m_rate->minimum());
 }
 
 pattern::SampleOptions ExportDialog::samples() const {

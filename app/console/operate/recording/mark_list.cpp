@@ -154,8 +154,10 @@ bool MarkList::eventFilter(QObject* watched, QEvent* event) {
 
 void MarkList::retranslate() {
     m_table->setHorizontalHeaderLabels({tr("Time"), tr("What was marked")});
+    m_table->horizontalHeaderItem(timeColumn)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_table->horizontalHeaderItem(textColumn)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setAccessibleName(tr("Marks"));
-    m_hint->setText(tr("No marks. M sets one while something is recorded; its text can be typed then."));
+    m_hint->setText(tr("No marks yet. While something is recorded, M sets one; then type what it was."));
     setWhatsThis(tr("Moments that somebody marked in the recording. Double-click a text or press Enter to "
                     "type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a "
                     "double click on a mark goes there."));
