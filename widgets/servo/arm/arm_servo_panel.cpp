@@ -67,9 +67,10 @@ ArmServoPanel::ArmServoPanel(QWidget* parent)
     layout->addWidget(m_title);
     layout->addLayout(m_form);
     layout->addWidget(m_button); // above what grows: it must not move away from the mouse that holds it
+    layout->addWidget(m_ending); // before what comes next
     layout->addWidget(m_stage);
     layout->addWidget(m_what);
-    layout->addWidget(m_ending);
+    layout->addStretch(1);
 
     connect(m_button, &base::HoldButton::heldChanged, this, [this](bool held, Qt::KeyboardModifiers) {
         if (held)
@@ -151,6 +152,8 @@ void ArmServoPanel::showTexts() {
     m_button->setText(ofArm ? tr("Hold to move the arm (or Space)") : tr("Hold to rehearse (or Space)"));
     m_ending->setText(ArmServoTexts::ending(m_shownEnding, m_hindrance));
     m_ending->setVisible(!m_ending->text().isEmpty());
+    base::setTextColour(m_ending, m_shownEnding == Ending::finished ? base::statusColours(palette()).live
+                                                                    : base::statusColours(palette()).stale);
     const bool runs = m_shownStage == Stage::rehearsing || m_shownStage == Stage::driving;
     m_what->setVisible(runs);
     if (!runs)

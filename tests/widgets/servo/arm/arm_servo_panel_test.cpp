@@ -123,6 +123,11 @@ private slots:
         bench.run(0.1);
         show();
         QVERIFY(at.text("armServoEnding").contains("STOP"));
+        const auto* ending = at.panel->findChild<QLabel*>("armServoEnding");
+        const auto* stage = at.panel->findChild<QLabel*>("armServoStage");
+        QTRY_VERIFY(ending->y() < stage->y());
+        QVERIFY(ending->palette().color(QPalette::WindowText) !=
+                stage->palette().color(QPalette::WindowText));
         QVERIFY(at.text("armServoStage").contains("rehearsal"));
         at.panel->setRefusal("the pad is made of stone");
         QVERIFY(at.text("armServoStage").contains("the pad is made of stone"));
