@@ -291,19 +291,25 @@ QIcon PatternLibrary::pictureOf(const QString& key, const Pattern& pattern) {
     QIcon& icon = m_pictures[{key, isOpen}];
     if (!icon.isNull())
         return icon;
-    QPixmap picture(QSizeF(QSizeF(size) * scale).toSize());
-    picture.setDevicePixelRatio(scale);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    const int bar = base::grid(this, base::kStripe);
-    const QSize room(size.width() - 2 * bar, size.height() - bar);
-    painter.drawImage(QRectF(QPointF(2.0 * bar, 0.5 * bar), QSizeF(room)),
-                      patternPicture(pattern, QSizeF(QSizeF(room) * scale).toSize(), palette()));
-    if (isOpen)
-        painter.fillRect(QRectF(0.0, 0.5 * bar, bar, room.height()), palette().color(QPalette::Link));
-    painter.end();
-    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) // not tinted in a selected row
+    // In a selected row it has the colours of that row's text.
+    QPalette selected = palette();
+    selected.setColor(QPalette::Base, palette().color(QPalette::Highlight));
+    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::Link})
+        selected.setColor(role, palette().color(QPalette::HighlightedText));
+    for (const auto& [mode, colours] : {std::pair(QIcon::Normal, palette()), {QIcon::Selected, selected}}) {
+        QPixmap picture(QSizeF(QSizeF(size) * scale).toSize());
+        picture.setDevicePixelRatio(scale);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        const int bar = base::grid(this, base::kStripe);
+        const QSize room(size.width() - 2 * bar, size.height() - bar);
+        painter.drawImage(QRectF(QPointF(2.0 * bar, 0.5 * bar), QSizeF(room)),
+                          patternPicture(pattern, QSizeF(QSizeF(room) * scale).toSize(), colours));
+        if (isOpen)
+            painter.fillRect(QRectF(0.0, 0.5 * bar, bar, room.height()), colours.color(QPalette::Link));
+        painter.end();
         icon.addPixmap(picture, mode);
+    }
     return icon;
 }
 

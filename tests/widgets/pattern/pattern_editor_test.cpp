@@ -92,6 +92,24 @@ private slots:
         }
     }
 
+    void aPictureIsSeenInASelectedRow() {
+        PatternLibrary library;
+        library.resize(300, 700);
+        library.show();
+        const QTreeWidget* tree = treeOf(library);
+        const QColor row = library.palette().color(QPalette::Highlight);
+        const QImage picture =
+            rowOf(*tree, 0).icon(0).pixmap(tree->iconSize(), QIcon::Selected).toImage(); // on all the time
+        int seen = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                seen += picture.pixelColor(x, y).alpha() == 255 &&
+                                base::contrast(picture.pixelColor(x, y), row) >= 3.0
+                            ? 1
+                            : 0;
+        QVERIFY2(3 * seen > picture.width() * picture.height(), qPrintable(QString::number(seen)));
+    }
+
     void theFieldsOfThePropertiesHaveRoomInASmallWindow() {
         PatternEditor editor;
         const int line = editor.fontMetrics().height();
