@@ -15,7 +15,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -90,12 +90,13 @@ PatternMapTable::PatternMapTable(QWidget* parent)
         m_table->setCellWidget(row, kPattern, box);
         m_boxes.push_back(box);
     }
-    auto* buttons = new QHBoxLayout;
+    // In two rows: in one they would be wider than everything else beside the pictures.
+    auto* buttons = new QGridLayout;
+    int place = 0;
     for (QPushButton* button : {m_undoButton, m_redoButton, m_reset, m_import, m_export}) {
         button->setAutoDefault(false);
-        buttons->addWidget(button);
-        if (button == m_redoButton)
-            buttons->addStretch(1);
+        buttons->addWidget(button, place < 2 ? 0 : 1, place < 2 ? place : place - 2);
+        ++place;
     }
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_now);

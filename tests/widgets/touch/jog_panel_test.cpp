@@ -110,6 +110,10 @@ private slots:
         QTest::mouseClick(desk.panel, Qt::LeftButton, {}, QPoint(1, desk.panel->height() - 2));
         QVERIFY(desk.panel->hasFocus());
         QCOMPARE(place(), without);
+        // With room in one line the hint takes no more than that.
+        const int line = desk.panel->fontMetrics().height();
+        desk.window.resize(80 * line, desk.window.height());
+        QTRY_VERIFY2(place() < 5 * line, qPrintable(QString::number(place() / line)));
     }
 
     void aDirectionWithoutTheDeadManDoesNothing() {

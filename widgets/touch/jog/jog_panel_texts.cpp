@@ -135,7 +135,9 @@ void JogPanel::showHint() {
     };
     // What is below must not move under the mouse when the keyboard comes or goes.
     m_message->setText(whole(longer));
-    m_message->setMinimumHeight(m_message->heightForWidth(m_message->width()));
+    m_message->setMinimumHeight(0);                       // which its height for a width would be at least
+    const QMargins margins = layout()->contentsMargins(); // the line itself gets its width later
+    m_message->setMinimumHeight(m_message->heightForWidth(width() - margins.left() - margins.right()));
     m_message->setText(whole(hasKeyboard() ? how : longer));
 }
 
