@@ -28,7 +28,7 @@ constexpr double kMenuArrow = 2.0;       ///< room for the arrow of a tool butto
 constexpr double kSeparatorLength = 3.0; ///< of the grip between two views
 constexpr double kComboArrow = 1.0;    ///< more room in front of the arrow of a combo box than Fusion leaves
 constexpr double kButtonMargin = 0.75; ///< more room left and right of a button's text, both together
-constexpr double kCellMargin = 0.5;    ///< left and right of the text of a cell
+constexpr double kCellMargin = 0.375;  ///< left and right of the text of a cell
 constexpr double kSectionHeight = 3.5; ///< of the name of a group in a menu
 
 double gridOf(const QStyleOption* option) {

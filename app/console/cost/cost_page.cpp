@@ -378,6 +378,7 @@ void CostPage::showRunning() {
     m_measureEmpty->setEnabled(!running);
     m_cancel->setEnabled(running && !m_measuring->isCancelled());
     m_progress->setVisible(running);
+    m_progressText->setVisible(running);
     if (running) {
         m_progressText->setText(m_measuring->isCancelled() ? tr("Stopping\u2026") : tr("Preparing\u2026"));
         return;

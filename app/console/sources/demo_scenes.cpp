@@ -39,10 +39,7 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
          DemoText::tr("Somebody pushes the arm, then it meets an object, under joint admittance control"),
          arm},
         {QStringLiteral(":/scenes/teleoperation.toml"), DemoText::tr("An arm among unknown objects"),
-         DemoText::tr(
-             "Drive it yourself over a slow link, or watch the scripted operator: each object that is "
-             "found goes on the run sheet"),
-         arm},
+         DemoText::tr("Drive it yourself over a slow link, or watch a scripted operator find them"), arm},
         {QStringLiteral(":/scenes/tactile-indenter.toml"), DemoText::tr("A ball and a bar"),
          DemoText::tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns"), array},
         {QStringLiteral(":/scenes/tactile-two-contacts.toml"), DemoText::tr("Two contacts that meet"),
