@@ -41,15 +41,22 @@ double largestDistance(std::span<const Point> points) {
 double robustSize(std::span<const Point> points) {
     const std::size_t n = points.size();
     const std::size_t skipped = n < kPointsForRejection ? 0 : std::max<std::size_t>(1, n / 20);
-    const std::size_t rank = n - 1 - skipped;
     std::vector<double> farthest(n);
-    std::vector<double> distances(n);
+    std::vector<double> largest(skipped + 1); // the largest first
     for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t k = 0; k < n; ++k)
-            distances[k] = (points[i] - points[k]).squaredNorm();
-        farthest[i] = core::orderStatistic(distances, rank);
+        std::ranges::fill(largest, 0.0);
+        for (std::size_t k = 0; k < n; ++k) {
+            const double distance2 = (points[i] - points[k]).squaredNorm();
+            std::size_t place = skipped;
+            if (distance2 <= largest[place])
+                continue;
+            for (; place > 0 && distance2 > largest[place - 1]; --place)
+                largest[place] = largest[place - 1];
+            largest[place] = distance2;
+        }
+        farthest[i] = largest[skipped];
     }
-    return std::sqrt(core::orderStatistic(farthest, rank));
+    return std::sqrt(core::orderStatistic(farthest, n - 1 - skipped));
 }
 
 double usualStep(std::span<const Point> points) {
@@ -78,15 +85,30 @@ double footOnPolygon(std::span<const Point> polygon, const Point& p) {
 }
 
 /// Index of the first point that has completed a turn about a centre and is near the start again; the number
-/// of points when there is none.
-std::size_t endOfTurn(std::span<const Point> points, const Point& centre, double near) {
-    double turned_rad = 0.0;
+/// of points when there is none. A step turns by less than half a turn.
+std::size_t endOfTurn(std::span<const Point> points, const Point& centre,
+                      const std::vector<bool>& nearStart) {
+    const Point first = points.front() - centre;
+    // Whole turns completed in either direction, from where the steps cross the ray through the first point.
+    int left = 0;
+    int right = 0;
+    Point a = first;
+    double sideOfA = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Point a = points[i - 1] - centre;
         const Point b = points[i] - centre;
-        turned_rad += std::atan2(cross(a, b), a.dot(b));
-        if (std::abs(turned_rad) >= 2.0 * std::numbers::pi && distance(points[i], points.front()) <= near)
+        const double sideOfB = cross(first, b);
+        if ((sideOfA < 0.0) != (sideOfB < 0.0) || (sideOfA > 0.0) != (sideOfB > 0.0)) {
+            const bool toTheLeft = cross(a, b) > 0.0;
+            // Whether the step crosses the ray itself, and not what lies behind the centre.
+            if (toTheLeft ? sideOfA < 0.0 && sideOfB >= 0.0 : sideOfA >= 0.0 && sideOfB < 0.0)
+                left += toTheLeft ? 1 : -1;
+            if (toTheLeft ? sideOfA <= 0.0 && sideOfB > 0.0 : sideOfA > 0.0 && sideOfB <= 0.0)
+                right += toTheLeft ? -1 : 1;
+        }
+        if (nearStart[i] && (left >= 1 || right >= 1))
             return i;
+        a = b;
+        sideOfA = sideOfB;
     }
     return points.size();
 }
@@ -112,8 +134,11 @@ std::size_t endOfFirstLap(std::span<const Point> points) {
         }
     std::ranges::stable_sort(centres, std::ranges::greater{}, &std::pair<double, Point>::first);
     const double near = kNearSteps * usualStep(points);
+    std::vector<bool> nearStart(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        nearStart[i] = distance(points[i], points.front()) <= near;
     for (const auto& [distance2, centre] : centres)
-        if (const std::size_t end = endOfTurn(points, centre, near); end < points.size())
+        if (const std::size_t end = endOfTurn(points, centre, nearStart); end < points.size())
             return end;
     return points.size();
 }
@@ -204,6 +229,22 @@ std::vector<Point> orderedByAngle(std::span<const Point> points) {
     for (const auto& [angle, p] : angles)
         ordered.push_back(p);
     return ordered;
+}
+
+bool isSameLap(std::span<const Point> a, std::span<const Point> b) {
+    const std::size_t n = a.size();
+    if (n != b.size() || n == 0)
+        return false;
+    const auto first = static_cast<std::size_t>(std::ranges::find(b, a.front()) - b.begin());
+    if (first == n)
+        return false;
+    const auto same = [&](std::size_t step) {
+        for (std::size_t i = 0, k = first; i < n; ++i, k = (k + step) % n)
+            if (a[i] != b[k])
+                return false;
+        return true;
+    };
+    return same(1) || same(n - 1);
 }
 
 std::vector<Point> mergedLaps(std::span<const Point> points) {

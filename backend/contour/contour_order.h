@@ -34,6 +34,9 @@ struct PreparedContour {
 /// around a convex shape, however it was explored.
 [[nodiscard]] std::vector<Point> orderedByAngle(std::span<const Point> points);
 
+/// Whether two closed contours have the same points in the same cyclic order, in either direction.
+[[nodiscard]] bool isSameLap(std::span<const Point> a, std::span<const Point> b);
+
 /// Merges a contour that continues beyond its start (overlap, several laps) into one lap; returns any other
 /// contour unchanged.
 [[nodiscard]] std::vector<Point> mergedLaps(std::span<const Point> points);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/curve_models.h"
 
+#include "backend/contour/lanes.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -14,7 +17,7 @@ namespace teleta::contour {
 namespace {
 
 constexpr double kSmallestE2 = 1e-6;
-constexpr std::size_t kCurveStartsRefined = 3;
+constexpr std::size_t kCurveStartsRefined = 1;
 
 Point meanOf(std::span<const Point> points) {
     return std::accumulate(points.begin(), points.end(), Point(Point::Zero())) /
@@ -138,39 +141,49 @@ public:
         const double perB = std::exp(-at.parameters[3]);
         const double c = std::cos(at.parameters[4]);
         const double s = std::sin(at.parameters[4]);
-        for (std::size_t i = 0; i < points().filled(); ++i) {
-            const double x = points().x[i] - at.parameters[0];
-            const double y = points().y[i] - at.parameters[1];
-            // Along the axes, in their lengths.
-            const double u = (c * x + s * y) * perA;
-            const double v = (c * y - s * x) * perB;
-            const double ua = u * perA;
-            const double vb = v * perB;
-            const double level2 = u * u + v * v;
-            const double slope2 = ua * ua + vb * vb;
-            if (!(slope2 > 1e-18)) {
-                // In the middle, where no direction is the nearest one.
-                at.residuals[i] = -std::min(1.0 / perA, 1.0 / perB);
-                for (double* column : columns)
-                    column[i] = 0.0;
-                columns[perA > perB ? 2 : 3][i] = at.residuals[i];
-                continue;
+        const PointColumns& p = points();
+        doInLanes([&]() __attribute__((always_inline)) {
+            for (std::size_t i = 0; i < p.filled(); i += kLanes) {
+                Lanes x, y;
+                load(x, p.x.data() + i, at.parameters[0]);
+                load(y, p.y.data() + i, at.parameters[1]);
+                // Along the axes, in their lengths.
+                const Lanes u = (c * x + s * y) * perA;
+                const Lanes v = (c * y - s * x) * perB;
+                const Lanes ua = u * perA;
+                const Lanes vb = v * perB;
+                Lanes level = u * u + v * v;
+                Lanes slope = ua * ua + vb * vb;
+                // In the middle no direction is the nearest one.
+                const auto middle = !(slope > 1e-18);
+                slope = middle ? 1.0 - Lanes{} : slope;
+                level = middle ? 1.0 - Lanes{} : level;
+                takeRoots(level);
+                takeRoots(slope);
+                const Lanes perSlope = 1.0 / slope;
+                const Lanes distance = level * (level - 1.0) * perSlope;
+                const Lanes share = distance * perSlope * perSlope;
+                const Lanes byLevel = (2.0 - 1.0 / level) * perSlope;
+                const Lanes byU = byLevel * u - share * perA * ua;
+                const Lanes byV = byLevel * v - share * perB * vb;
+                // The slope also contains the length itself.
+                Lanes byLogA = share * ua * ua - byU * u;
+                Lanes byLogB = share * vb * vb - byV * v;
+                const double inside = -std::min(1.0 / perA, 1.0 / perB);
+                byLogA = middle ? (perA > perB ? inside : 0.0) - Lanes{} : byLogA;
+                byLogB = middle ? (perA > perB ? 0.0 : inside) - Lanes{} : byLogB;
+                const Lanes zero{};
+                const Lanes byX = -byU * c * perA + byV * s * perB;
+                const Lanes byY = -byU * s * perA - byV * c * perB;
+                const Lanes byAngle = byU * v * perA / perB - byV * u * perB / perA;
+                store(at.residuals.data() + i, middle ? inside - zero : distance);
+                store(columns[0] + i, middle ? zero : byX);
+                store(columns[1] + i, middle ? zero : byY);
+                store(columns[2] + i, byLogA);
+                store(columns[3] + i, byLogB);
+                store(columns[4] + i, middle ? zero : byAngle);
             }
-            const double level = std::sqrt(level2);
-            const double perSlope = 1.0 / std::sqrt(slope2);
-            const double distance = level * (level - 1.0) * perSlope;
-            const double share = distance * perSlope * perSlope;
-            const double byLevel = (2.0 - 1.0 / level) * perSlope;
-            const double byU = byLevel * u - share * perA * ua;
-            const double byV = byLevel * v - share * perB * vb;
-            at.residuals[i] = distance;
-            columns[0][i] = -byU * c * perA + byV * s * perB;
-            columns[1][i] = -byU * s * perA - byV * c * perB;
-            // The slope also contains the length itself.
-            columns[2][i] = share * ua * ua - byU * u;
-            columns[3][i] = share * vb * vb - byV * v;
-            columns[4][i] = byU * v * perA / perB - byV * u * perB / perA;
-        }
+        });
     }
 };
 
@@ -236,12 +249,13 @@ std::optional<Eigen::Vector3d> taubinCircle(std::span<const Point> points) {
 CurvedLineFit fitLine(std::span<const Point> points) {
     const PointColumns columns(points);
     CurvedLineFit best;
+    Eigen::Vector2d bestStart = Eigen::Vector2d::Zero();
+    double bestLoss = std::numeric_limits<double>::infinity();
     const auto tryStart = [&](const Point& reference, const Eigen::Vector2d& start) {
-        const StraightModel model(columns, reference);
-        RobustFit fit = fitRoughly(model, start);
-        if (best.fit.parameters.size() == 0 || robustLoss(fit) < robustLoss(best.fit)) {
-            best.curve = {reference, 0.0, fit.parameters[0], fit.parameters[1]};
-            best.fit = std::move(fit);
+        if (const double loss = lossOfStart(StraightModel(columns, reference), start); loss < bestLoss) {
+            bestLoss = loss;
+            best.curve.reference = reference;
+            bestStart = start;
         }
     };
     const Point mean = meanOf(points);
@@ -256,7 +270,7 @@ CurvedLineFit fitLine(std::span<const Point> points) {
         if (along.norm() > 0.05)
             tryStart(a, Eigen::Vector2d(0.0, std::atan2(along.x(), -along.y())));
     }
-    best.fit = refined(StraightModel(columns, best.curve.reference), best.fit);
+    best.fit = fitRobustly(StraightModel(columns, best.curve.reference), bestStart);
     best.curve.d = best.fit.parameters[0];
     best.curve.theta_rad = best.fit.parameters[1];
     return best;

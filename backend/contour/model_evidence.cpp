@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/contour/model_evidence.h"
 
+#include "backend/contour/lanes.h"
 #include "backend/core/quantile.h"
 
 #include <Eigen/Cholesky>
@@ -27,6 +28,7 @@ constexpr double kSmallestDeterminant = 1e-4; ///< of the covariance of scattere
 constexpr double kSmallestSpread = 0.02;
 constexpr double kJumpShare = 0.1; ///< near a corner noise moves a point to the other edge
 constexpr std::size_t kGroups = 14;
+constexpr std::size_t kStartsFitted = 3;
 // Of curves that follow a fitted one only roughly.
 constexpr std::array kAmplitudes{0.03, 0.07, 0.15};
 constexpr std::array kReaches{0.08, 0.25}; ///< of the length
@@ -53,33 +55,6 @@ double peakDensity(double noise, double length) {
 /// Factors between 1e-6 and 1e6 of which the product neither overflows nor underflows.
 constexpr Eigen::Index kMostFactors = 48;
 
-/// Logarithms of products of many factors, several products at once.
-template <int Products>
-class LogSums {
-public:
-    using Numbers = Eigen::Array<double, Products, 1>;
-    /// factors: each between 1e-6 and 1e6.
-    void add(const Numbers& factors) {
-        m_products *= factors;
-        if (++m_factors == kMostFactors)
-            flush();
-    }
-    [[nodiscard]] Numbers sums() {
-        flush();
-        return m_sums;
-    }
-
-private:
-    void flush() {
-        m_sums += m_products.log();
-        m_products = 1.0;
-        m_factors = 0;
-    }
-    Numbers m_sums = Numbers::Zero();
-    Numbers m_products = Numbers::Ones();
-    int m_factors = 0;
-};
-
 /// Log likelihood of residuals at each noise; length: at least kSmallestNoise.
 std::array<double, kNoiseSteps> logLikelihoods(const Eigen::VectorXd& residuals, double length) {
     const std::array<double, kNoiseSteps>& noise = noiseSteps();
@@ -90,37 +65,43 @@ std::array<double, kNoiseSteps> logLikelihoods(const Eigen::VectorXd& residuals,
     std::array<double, kNoiseSteps> peaks{};
     for (std::size_t step = 0; step < kNoiseSteps; ++step)
         peaks[step] = peakDensity(noise[step], length);
-    constexpr std::size_t kWide = 16; // steps from the largest noise down, filled up
-    using Numbers = Eigen::Array<double, kWide, 1>;
-    Numbers heights = Numbers::Zero();
-    for (std::size_t step = 0; step < kNoiseSteps; ++step)
-        heights[static_cast<Eigen::Index>(step)] = peaks[kNoiseSteps - 1 - step];
-    std::array<double, kHalving> exponents{};
-    for (std::size_t step = 0; step < kHalving; ++step) {
-        const double wide = noise[kNoiseSteps - 1 - step];
-        exponents[step] = -0.5 / (wide * wide);
-    }
-    Eigen::Array<double, Eigen::Dynamic, kHalving> shares(residuals.size(), 3);
-    for (std::size_t step = 0; step < kHalving; ++step)
-        shares.col(static_cast<Eigen::Index>(step)) = (residuals.array().square() * exponents[step]).exp();
-    LogSums<kWide> sums;
-    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-        Numbers density;
-        std::array<double, kHalving> share{shares(i, 0), shares(i, 1), shares(i, 2)};
-        for (Eigen::Index step = 0; step < static_cast<Eigen::Index>(kWide); step += kHalving)
-            for (std::size_t k = 0;
-                 k < kHalving && step + static_cast<Eigen::Index>(k) < static_cast<Eigen::Index>(kWide);
-                 ++k) {
-                density[step + static_cast<Eigen::Index>(k)] = share[k];
-                share[k] *= share[k];
-                share[k] *= share[k];
-            }
-        sums.add(density * heights + kOutlierDensity);
-    }
-    const Numbers found = sums.sums();
     std::array<double, kNoiseSteps> likelihoods{};
-    for (std::size_t step = 0; step < kNoiseSteps; ++step)
-        likelihoods[step] = found[static_cast<Eigen::Index>(kNoiseSteps - 1 - step)];
+    const auto count = static_cast<std::size_t>(residuals.size());
+    for (std::size_t begin = 0; begin < count; begin += kMostFactors) {
+        std::array<double, kMostFactors> block; // of residuals, filled up
+        const std::size_t used = std::min<std::size_t>(kMostFactors, count - begin);
+        std::copy_n(residuals.data() + begin, used, block.begin());
+        std::fill(block.begin() + used, block.end(), 0.0);
+        std::array<double, kNoiseSteps> products{};
+        doInLanes([&]() __attribute__((always_inline)) {
+            std::array<Lanes, kNoiseSteps> all;
+            for (Lanes& one : all)
+                one = 1.0 - Lanes{};
+            for (std::size_t i = 0; i < used; i += kLanes) {
+                Lanes square;
+                load(square, block.data() + i);
+                square *= square;
+                const Lanes index = static_cast<double>(i) + Lanes{0.0, 1.0, 2.0, 3.0};
+                const auto within = index < static_cast<double>(used);
+                for (std::size_t k = 0; k < kHalving; ++k) {
+                    const double wide = noise[kNoiseSteps - 1 - k];
+                    Lanes share = square * (-0.5 / (wide * wide));
+                    takeExponentials(share);
+                    for (std::size_t down = k; down < kNoiseSteps; down += kHalving) {
+                        const std::size_t step = kNoiseSteps - 1 - down;
+                        const Lanes density = share * peaks[step] + kOutlierDensity;
+                        all[step] *= within ? density : 1.0 - Lanes{};
+                        share *= share;
+                        share *= share;
+                    }
+                }
+            }
+            for (std::size_t step = 0; step < kNoiseSteps; ++step)
+                products[step] = (all[step][0] * all[step][1]) * (all[step][2] * all[step][3]);
+        });
+        for (std::size_t step = 0; step < kNoiseSteps; ++step)
+            likelihoods[step] += std::log(products[step]);
+    }
     return likelihoods;
 }
 
@@ -157,6 +138,37 @@ double logGain(std::vector<double> values, double length) {
     }
     return best;
 }
+
+/// Kalman's filter of a deviation along a curve, for several priors at once.
+class Filter {
+public:
+    Filter(const double* prior, const double* noise2) {
+        load(m_prior, prior);
+        load(m_noise2, noise2);
+        m_variance = m_prior;
+    }
+    /// Multiplies a product by the density of the next residual. keep: correlation with the deviation before.
+    [[gnu::always_inline]] void take(double residual, double keep, double peak, Lanes& product) {
+        m_mean *= keep;
+        m_variance = keep * keep * m_variance + (1.0 - keep * keep) * m_prior;
+        const Lanes inverse = 1.0 / (m_variance + m_noise2);
+        const Lanes off = residual - m_mean;
+        Lanes height = inverse;
+        takeRoots(height);
+        Lanes share = -0.5 * off * off * inverse;
+        takeExponentials(share);
+        product *= peak * height * share + kOutlierDensity;
+        const Lanes gain = m_variance * inverse;
+        m_mean += gain * off;
+        m_variance *= 1.0 - gain;
+    }
+
+private:
+    Lanes m_prior;
+    Lanes m_noise2;
+    Lanes m_mean{};
+    Lanes m_variance;
+};
 
 Eigen::VectorXd eigenvaluesOf(const NormalMatrix& information) {
     Eigen::SelfAdjointEigenSolver<NormalMatrix> solver(information.rows());
@@ -246,44 +258,47 @@ double logEvidenceOfDeparture(const RobustFit& fit, std::span<const double> plac
         sorted.emplace_back(period > 0.0 ? places[i] - period * std::floor(places[i] / period) : places[i],
                             fit.residuals[static_cast<Eigen::Index>(i)]);
     std::ranges::sort(sorted);
-    // Kalman's filter for every amplitude and noise at once.
-    constexpr int kPairs = kAmplitudes.size() * kDepartureNoises.size();
-    using Numbers = Eigen::Array<double, kPairs + kPairs % 2, 1>;
-    Numbers prior = Numbers::Ones();
-    Numbers noise2 = Numbers::Ones();
-    for (std::size_t pair = 0; pair < kPairs; ++pair) {
-        const double amplitude = kAmplitudes[pair / kDepartureNoises.size()];
+    // Kalman's filter for every amplitude and noise at once, in one row for each reach.
+    constexpr std::size_t kPairs = kAmplitudes.size() * kDepartureNoises.size();
+    constexpr std::size_t kFilled = (kPairs + kLanes - 1) / kLanes * kLanes;
+    std::array<double, kFilled> prior;
+    std::array<double, kFilled> noise2;
+    for (std::size_t pair = 0; pair < kFilled; ++pair) {
+        const double amplitude = kAmplitudes[std::min(pair, kPairs - 1) / kDepartureNoises.size()];
         const double noise = kDepartureNoises[pair % kDepartureNoises.size()];
-        prior[static_cast<Eigen::Index>(pair)] = amplitude * amplitude;
-        noise2[static_cast<Eigen::Index>(pair)] = noise * noise;
+        prior[pair] = amplitude * amplitude;
+        noise2[pair] = noise * noise;
+    }
+    const double peak = peakDensity(1.0, curve);
+    std::array<double, kReaches.size() * kFilled> likelihoods{};
+    for (std::size_t reach = 0; reach < kReaches.size(); ++reach) {
+        // Correlation of a deviation with the one before.
+        std::vector<double> keeps(sorted.size(), 0.0);
+        for (std::size_t i = 1; i < sorted.size(); ++i)
+            keeps[i] = std::exp(-(sorted[i].first - sorted[i - 1].first) / (kReaches[reach] * curve));
+        for (std::size_t first = 0; first < kFilled; first += kLanes) {
+            Filter filter(prior.data() + first, noise2.data() + first);
+            for (std::size_t begin = 0; begin < sorted.size(); begin += kMostFactors) {
+                std::array<double, kLanes> products;
+                const std::size_t end = std::min<std::size_t>(begin + kMostFactors, sorted.size());
+                doInLanes([&]() __attribute__((always_inline)) {
+                    Lanes product = 1.0 - Lanes{};
+                    for (std::size_t i = begin; i < end; ++i)
+                        filter.take(sorted[i].second, keeps[i], peak, product);
+                    store(products.data(), product);
+                });
+                for (std::size_t lane = 0; lane < kLanes; ++lane)
+                    likelihoods[reach * kFilled + first + lane] += std::log(products[lane]);
+            }
+        }
     }
     const NormalMatrix information = normalMatrix(fit.jacobian, Eigen::VectorXd::Ones(fit.jacobian.rows()));
     const LogVolume volume(information, std::hypot(kAmplitudes.back(), kDepartureNoises.back()), 1.0);
-    Numbers parameters = Numbers::Zero();
-    for (Eigen::Index pair = 0; pair < kPairs; ++pair)
-        parameters[pair] = volume.at(std::sqrt(prior[pair] + noise2[pair]));
-    const double peak = peakDensity(1.0, curve);
-    double sum = -std::numeric_limits<double>::infinity();
-    for (const double reach : kReaches) {
-        Numbers mean = Numbers::Zero();
-        Numbers variance = prior;
-        LogSums<Numbers::RowsAtCompileTime> likelihood;
-        for (std::size_t i = 0; i < sorted.size(); ++i) {
-            // Correlation of a deviation with the one before.
-            const double keep =
-                i > 0 ? std::exp(-(sorted[i].first - sorted[i - 1].first) / (reach * curve)) : 0.0;
-            mean *= keep;
-            variance = keep * keep * variance + (1.0 - keep * keep) * prior;
-            const Numbers inverse = 1.0 / (variance + noise2);
-            const Numbers off = sorted[i].second - mean;
-            likelihood.add(peak * inverse.sqrt() * (-0.5 * off * off * inverse).exp() + kOutlierDensity);
-            const Numbers gain = variance * inverse;
-            mean += gain * off;
-            variance *= 1.0 - gain;
-        }
-        const Numbers sums = likelihood.sums() + parameters;
-        for (Eigen::Index pair = 0; pair < kPairs; ++pair)
-            sum = logSum(sum, sums[pair]);
+    double sum = kImpossibleEvidence;
+    for (std::size_t pair = 0; pair < kPairs; ++pair) {
+        const double parameters = volume.at(std::sqrt(prior[pair] + noise2[pair]));
+        for (std::size_t reach = 0; reach < kReaches.size(); ++reach)
+            sum = logSum(sum, likelihoods[reach * kFilled + pair] + parameters);
     }
     return sum - std::log(static_cast<double>(kReaches.size() * kPairs));
 }
@@ -374,6 +389,44 @@ Evidence evidence(const RobustFit& fit, double length, const Assumptions& assump
         sum = logSum(sum, found.likelihood[step] + volume.at(noise[step]));
     sum -= std::log(static_cast<double>(kNoiseSteps));
     return std::move(found.evidence);
+}
+
+RobustFit fitBest(const RobustModel& model, const std::vector<RobustModel::Parameters>& starts,
+                  const std::function<double(const Eigen::VectorXd&)>& length) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        order.emplace_back(lossOfStart(model, starts[i]), i);
+    std::ranges::sort(order);
+    order.resize(std::min(order.size(), kStartsFitted));
+    RobustFit best;
+    double most = kImpossibleEvidence;
+    for (const auto& [loss, start] : order) {
+        RobustFit fit = fitRoughly(model, starts[start]);
+        const double found = evidence(fit, length(fit.parameters)).logEvidence;
+        if (best.parameters.size() == 0 || found > most) {
+            most = found;
+            best = std::move(fit);
+        }
+    }
+    return refined(model, best);
+}
+
+double evidenceToExpect(std::size_t points, std::size_t parameters, double sumOfSquares, double length) {
+    const auto n = static_cast<double>(points);
+    const auto p = static_cast<double>(parameters);
+    const double freedom = std::log(length / n);
+    // Of a direction with its share of the information: each point gives two thirds of one to its edge's
+    // ends.
+    const double width = 0.5 * std::log(3.0 * std::numbers::pi * p / n);
+    double most = kImpossibleEvidence;
+    for (const double noise : noiseSteps()) {
+        const double likelihood =
+            n * std::log(peakDensity(noise, length) + kOutlierDensity) - sumOfSquares / (2.0 * noise * noise);
+        // Half of the directions are about as free as a point along its edge.
+        const double volume = 0.5 * p * (freedom + std::min(freedom, std::log(noise) + width));
+        most = std::max(most, likelihood + volume);
+    }
+    return most;
 }
 
 } // namespace teleta::contour

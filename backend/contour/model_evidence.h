@@ -5,6 +5,7 @@
 #include "backend/contour/robust_fit.h"
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -41,6 +42,18 @@ struct Assumptions {
 /// The part of evidence() that needs no Jacobian: deviation and outliers; logEvidence is that of an
 /// impossible model.
 [[nodiscard]] Evidence judge(const Eigen::VectorXd& residuals, double length);
+
+/// What evidence() of a chain of edges is hardly ever larger than, before it is fitted: the likelihood of
+/// points at their least distances, and half of the parameters as free as a point along its edge.
+/// sumOfSquares: the least that its lines can reach; length: about that of the part that was touched. Thread:
+/// any (pure).
+[[nodiscard]] double evidenceToExpect(std::size_t points, std::size_t parameters, double sumOfSquares,
+                                      double length);
+
+/// The fit with the largest evidence of those from the three starts (at least one) with the smallest losses.
+/// length: of the curve with these parameters. Thread: any (pure).
+[[nodiscard]] RobustFit fitBest(const RobustModel& model, const std::vector<RobustModel::Parameters>& starts,
+                                const std::function<double(const Eigen::VectorXd& parameters)>& length);
 
 /// Root mean square of the residuals of the inliers; 0 when all points are outliers.
 [[nodiscard]] double rmsOfInliers(const RobustFit& fit, const Evidence& evidence);

@@ -41,16 +41,18 @@ void trimEnds(std::span<const Point> points, const Evidence& judged, Eigen::Vect
 }
 
 ChainFit fitChain(std::span<const Point> points, const PointColumns& columns, const Eigen::VectorXd& start,
-                  bool closed, bool roughly) {
+                  bool closed) {
     // Otherwise a vertex that few points determine could drift away along its edge.
     const PolylineModel model(columns, closed, kFarthestVertex);
     ChainFit chain;
-    chain.fit = roughly ? fitRoughly(model, start) : fitRobustly(model, start);
+    chain.fit = fitRobustly(model, start);
     chain.closed = closed;
     chain.edges = static_cast<std::size_t>(start.size()) / 2 - (closed ? 0 : 1);
     if (!closed) {
         trimEnds(points, judge(chain.fit.residuals, 1.0), chain.fit.parameters);
+        const double scale = chain.fit.scale;
         chain.fit = model.fitAt(chain.fit.parameters);
+        chain.fit.scale = scale;
     }
     // A vertex between two points without an edge, and the end of an open chain, can move by one spacing.
     const double length = polylineLength(chain.fit.parameters, closed);
@@ -61,29 +63,37 @@ ChainFit fitChain(std::span<const Point> points, const PointColumns& columns, co
 
 } // namespace
 
-std::vector<ChainFit> fitChains(std::span<const Point> points, std::span<const Point> ordered, bool closed,
-                                std::size_t maximumEdges, std::size_t roughEdges) {
-    const PointColumns columns(points);
-    const EdgeRuns runs(withoutSpikes(ordered, closed), closed, maximumEdges);
+ChainFitter::ChainFitter(std::span<const Point> points, std::span<const Point> ordered, bool closed,
+                         std::size_t maximumEdges)
+    : m_points(points)
+    , m_columns(points)
+    , m_closed(closed)
+    , m_runs(withoutSpikes(ordered, closed), closed, maximumEdges) {
+}
+
+std::vector<ChainFit> ChainFitter::fitFrom(std::size_t edges, const Rival& rival) const {
     std::vector<ChainFit> chains;
-    std::size_t best = 0;
-    for (std::size_t edges = closed ? 3 : 1; edges <= runs.maximumEdges(); ++edges) {
-        chains.push_back(fitChain(points, columns, runs.vertices(edges), closed, edges <= roughEdges));
-        if (chains.back().evidence.logEvidence > chains[best].evidence.logEvidence)
-            best = chains.size() - 1;
-        else if (chains.size() - 1 - best >= kPatience)
-            break;
+    double best = kImpossibleEvidence;
+    std::size_t worse = 0;
+    for (; edges <= mostEdges() && worse < kPatience; ++edges) {
+        ++worse;
+        const std::size_t parameters = 2 * edges + (m_closed ? 0 : 2);
+        if (evidenceToExpect(m_points.size(), parameters, m_runs.leastSquares(edges), rival.length) <
+            rival.logEvidence)
+            continue;
+        chains.push_back(fitChain(m_points, m_columns, start(edges), m_closed));
+        if (chains.back().evidence.logEvidence > best) {
+            best = chains.back().evidence.logEvidence;
+            worse = 0;
+        }
     }
     return chains;
 }
 
-ChainFit fitClosedChain(std::span<const Point> points, const Eigen::VectorXd& start) {
-    return fitChain(points, PointColumns(points), start, true, true);
-}
-
-RobustFit refinedClosedChain(std::span<const Point> points, const ChainFit& chain) {
+RobustFit fitClosedChain(std::span<const Point> points, const std::vector<Eigen::VectorXd>& starts) {
     const PointColumns columns(points);
-    return refined(PolylineModel(columns, true, kFarthestVertex), chain.fit);
+    return fitBest(PolylineModel(columns, true, kFarthestVertex), {starts.begin(), starts.end()},
+                   [](const Eigen::VectorXd& vertices) { return polylineLength(vertices, true); });
 }
 
 std::optional<Polygon> findPolygon(std::span<const Point> points_m, std::optional<bool> closed) {
@@ -96,11 +106,17 @@ std::optional<Polygon> findPolygon(std::span<const Point> points_m, std::optiona
 
     const std::vector<Point> ordered = mergedLaps(contour.points);
     const bool isClosed = closed.value_or(returnsToItsStart(ordered));
-    std::vector<ChainFit> chains = fitChains(ordered, ordered, isClosed, kMaximumEdges);
+    const auto fitted = [&](bool asClosed) {
+        const ChainFitter fitter(ordered, ordered, asClosed, kMaximumEdges);
+        return fitter.fitFrom(fitter.fewestEdges());
+    };
+    std::vector<ChainFit> chains = fitted(isClosed);
     if (chains.empty())
-        chains = fitChains(ordered, ordered, false, kMaximumEdges);
+        chains = fitted(false);
     const auto best = std::ranges::max_element(
         chains, {}, [](const ChainFit& chain) { return chain.evidence.logEvidence; });
+    const PointColumns columns(ordered);
+    best->fit = polished(PolylineModel(columns, best->closed, kFarthestVertex), best->fit);
     polygon.closed = best->closed;
     polygon.rms_m = contour.size_m * rmsOfInliers(best->fit, best->evidence);
     polygon.outliers = contour.rejected + best->evidence.outlierCount();

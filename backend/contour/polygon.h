@@ -3,6 +3,7 @@
 
 #include "backend/contour/model_evidence.h"
 #include "backend/contour/point.h"
+#include "backend/contour/polyline_model.h"
 
 #include <optional>
 #include <vector>
@@ -42,17 +43,38 @@ struct ChainFit {
     bool closed = false;
 };
 
-/// Fits chains of 1 (open) or 3 (closed) and more edges, until three more edges in a row have not raised the
-/// evidence. The ends of an open chain are known only to one spacing, so its evidence is divided by the
-/// squared number of points. points: all, in any order; ordered: the same in the order of exploration, for
-/// the first guess, which leaves spikes out; roughEdges: up to so many edges only as fitRoughly().
-[[nodiscard]] std::vector<ChainFit> fitChains(std::span<const Point> points, std::span<const Point> ordered,
-                                              bool closed, std::size_t maximumEdges,
-                                              std::size_t roughEdges = 0);
+/// Another curve through the same points.
+struct Rival {
+    double logEvidence = kImpossibleEvidence;
+    double length = 1.0; ///< of the part that was touched
+};
 
-/// Fits a closed chain as fitRoughly(). start: coordinates of the vertices of the first guess.
-[[nodiscard]] ChainFit fitClosedChain(std::span<const Point> points, const Eigen::VectorXd& start);
-/// The rest of the way. points: those to which the chain was fitted.
-[[nodiscard]] RobustFit refinedClosedChain(std::span<const Point> points, const ChainFit& chain);
+/// Fits chains of edges to a contour. The ends of an open chain are known only to one spacing, so its
+/// evidence is divided by the squared number of points. Thread: one at a time.
+class ChainFitter {
+public:
+    /// points: all, in any order, kept by the caller; ordered: the same in the order of exploration, for the
+    /// first guess, which leaves spikes out.
+    ChainFitter(std::span<const Point> points, std::span<const Point> ordered, bool closed,
+                std::size_t maximumEdges);
+
+    [[nodiscard]] std::size_t fewestEdges() const { return m_closed ? 3 : 1; }
+    [[nodiscard]] std::size_t mostEdges() const { return m_runs.maximumEdges(); }
+    /// Coordinates of the vertices of the first guess. edges: fewestEdges() to mostEdges().
+    [[nodiscard]] Eigen::VectorXd start(std::size_t edges) const { return m_runs.vertices(edges); }
+    /// Fits chains of this many and more edges until three more edges in a row have not raised the evidence.
+    /// Chains that are not expected to come up to a rival are left out, and do not raise it.
+    [[nodiscard]] std::vector<ChainFit> fitFrom(std::size_t edges, const Rival& rival = {}) const;
+
+private:
+    std::span<const Point> m_points;
+    PointColumns m_columns;
+    bool m_closed;
+    EdgeRuns m_runs;
+};
+
+/// Fits a closed chain. starts: coordinates of the vertices of first guesses, as many of each.
+[[nodiscard]] RobustFit fitClosedChain(std::span<const Point> points,
+                                       const std::vector<Eigen::VectorXd>& starts);
 
 } // namespace teleta::contour

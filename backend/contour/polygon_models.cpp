@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace teleta::contour {
@@ -14,8 +15,7 @@ namespace teleta::contour {
 namespace {
 
 constexpr double kTouchedMargin =
-    0.05; ///< of an edge; nearer to a vertex the point may belong to the next edge
-constexpr std::size_t kPolygonStartsRefined = 4;
+    0.05;                           ///< of an edge; nearer to a vertex the point may belong to the next edge
 constexpr double kAtCorner = 1e-12; ///< nearer than this no direction leads away from a corner
 
 /// (centre x, centre y, angle, half width, half height) to the coordinates of four vertices.
@@ -33,9 +33,9 @@ Eigen::VectorXd corners(const Eigen::VectorXd& box) {
 }
 
 /// Boxes at several angles around the middle nine tenths of the points.
-std::vector<Eigen::VectorXd> boxesAround(std::span<const Point> points) {
+std::vector<RobustModel::Parameters> boxesAround(std::span<const Point> points) {
     constexpr int kAngles = 6;
-    std::vector<Eigen::VectorXd> starts;
+    std::vector<RobustModel::Parameters> starts;
     std::vector<double> u(points.size());
     std::vector<double> v(points.size());
     const std::size_t cut = points.size() / 20;
@@ -54,7 +54,7 @@ std::vector<Eigen::VectorXd> boxesAround(std::span<const Point> points) {
         Eigen::VectorXd box(5);
         box << 0.5 * (c * (u0 + u1) - s * (v0 + v1)), 0.5 * (s * (u0 + u1) + c * (v0 + v1)), angle,
             0.5 * (u1 - u0), 0.5 * (v1 - v0);
-        starts.push_back(box);
+        starts.emplace_back(box);
     }
     return starts;
 }
@@ -209,46 +209,25 @@ private:
     int m_sides;
 };
 
-/// Refines every start and keeps the most probable polygon.
-PolygonFit bestOf(const RobustModel& model, const std::vector<RobustModel::Parameters>& starts,
-                  const auto& verticesOf) {
-    PolygonFit best;
-    for (const RobustModel::Parameters& start : starts) {
-        RobustFit fit = fitRoughly(model, start);
-        Evidence judged = evidence(fit, polylineLength(verticesOf(fit.parameters), true));
-        if (judged.logEvidence > best.judged.logEvidence)
-            best = {std::move(fit), std::move(judged), {}};
-    }
-    best.fit = refined(model, best.fit);
-    best.judged = evidence(best.fit, polylineLength(verticesOf(best.fit.parameters), true));
-    return best;
-}
-
 } // namespace
 
 PolygonFit fitRectangle(std::span<const Point> points, const std::vector<Eigen::VectorXd>& quadrilaterals) {
     const PointColumns columns(points);
     const RectangleModel model(columns);
-    std::vector<Eigen::VectorXd> starts = boxesAround(points);
+    std::vector<RobustModel::Parameters> starts = boxesAround(points);
     for (const Eigen::VectorXd& quadrilateral : quadrilaterals)
-        starts.push_back(boxNear(quadrilateral));
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-        order.emplace_back(lossOfStart(model, starts[i]), i);
-    std::sort(order.begin(), order.end());
-    order.resize(std::min(order.size(), kPolygonStartsRefined));
-    std::vector<RobustModel::Parameters> refined;
-    for (const auto& [loss, start] : order)
-        refined.emplace_back(starts[start]);
-
-    PolygonFit best = bestOf(model, refined, corners);
+        starts.emplace_back(boxNear(quadrilateral));
+    const auto length = [](const Eigen::VectorXd& box) {
+        return 4.0 * (std::abs(box[3]) + std::abs(box[4]));
+    };
+    PolygonFit best{.fit = fitBest(model, starts, length), .vertices = {}};
     best.fit.parameters.tail<2>() = best.fit.parameters.tail<2>().cwiseAbs().eval();
     best.vertices = corners(best.fit.parameters);
     return best;
 }
 
 PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Point& centre, double radius) {
-    constexpr int kAngles = 3;
+    constexpr int kAngles = 4;
     const double turn = 2.0 * std::numbers::pi / sides;
     const auto vertices = [&](const Eigen::VectorXd& p) {
         Eigen::VectorXd chain(2 * sides);
@@ -260,11 +239,18 @@ PolygonFit fitRegularPolygon(std::span<const Point> points, int sides, const Poi
         return chain;
     };
     const PointColumns columns(points);
-    std::vector<RobustModel::Parameters> starts;
-    for (int k = 0; k < kAngles; ++k)
-        starts.emplace_back(
-            Eigen::Vector4d(centre.x(), centre.y(), std::log(1.1 * radius), turn * k / kAngles));
-    PolygonFit best = bestOf(RegularPolygonModel(columns, sides), starts, vertices);
+    const RegularPolygonModel model(columns, sides);
+    Eigen::Vector4d bestStart;
+    double bestLoss = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < kAngles; ++k) {
+        const Eigen::Vector4d start(centre.x(), centre.y(), std::log(1.1 * radius), turn * k / kAngles);
+        if (const double loss = lossOfStart(model, start); k == 0 || loss < bestLoss) {
+            bestLoss = loss;
+            bestStart = start;
+        }
+    }
+    PolygonFit best{.fit = fitRobustly(model, bestStart), .vertices = {}};
+    best.judged = evidence(best.fit, polylineLength(vertices(best.fit.parameters), true));
     best.vertices = vertices(best.fit.parameters);
     return best;
 }

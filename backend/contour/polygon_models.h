@@ -11,8 +11,9 @@ namespace teleta::contour {
 /// A closed polygon with fewer parameters than vertices, fitted robustly.
 struct PolygonFit {
     RobustFit fit;
-    Evidence judged{.logEvidence = kImpossibleEvidence}; ///< evidence, with the whole perimeter as length
-    Eigen::VectorXd vertices;                            ///< coordinates, counter-clockwise
+    Eigen::VectorXd vertices; ///< coordinates, counter-clockwise
+    /// Of a regular polygon: evidence, with the whole perimeter as length.
+    Evidence judged{.logEvidence = kImpossibleEvidence};
 };
 
 /// Fits a rectangle; parameters: centre x, centre y, angle, half width, half height. points: in units of

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace teleta::contour {
 
@@ -149,33 +150,31 @@ void PolylineModel::equations(const At& at, const double* weights, const double*
     const auto vertices = static_cast<std::size_t>(at.parameters.size()) / 2;
     // Sums of each edge: the squares and products by its start, by its start and end, by its end; then the
     // gradient by its start and by its end.
-    std::array<std::array<double, 13>, kMostParameters / 2> sums{};
-    for (std::size_t i = 0; i < m_points.count; ++i) {
-        auto& edge = sums[static_cast<std::size_t>(nearest[i])];
-        const double atEnd = shares[i];
-        const double atStart = 1.0 - atEnd;
-        const double xx = weights[i] * byX[i] * byX[i];
-        const double xy = weights[i] * byX[i] * byY[i];
-        const double yy = weights[i] * byY[i] * byY[i];
-        const double first = atStart * atStart;
-        const double mixed = atStart * atEnd;
-        const double last = atEnd * atEnd;
-        edge[0] += first * xx;
-        edge[1] += first * xy;
-        edge[2] += first * yy;
-        edge[3] += mixed * xx;
-        edge[4] += mixed * xy;
-        edge[5] += mixed * yy;
-        edge[6] += last * xx;
-        edge[7] += last * xy;
-        edge[8] += last * yy;
-        const double weightedX = weightedResiduals[i] * byX[i];
-        const double weightedY = weightedResiduals[i] * byY[i];
-        edge[9] -= atStart * weightedX;
-        edge[10] -= atStart * weightedY;
-        edge[11] -= atEnd * weightedX;
-        edge[12] -= atEnd * weightedY;
-    }
+    std::array<std::array<double, 4 * kLanes>, kMostParameters / 2> sums;
+    const std::size_t edges = m_closed ? vertices : vertices - 1;
+    std::fill(sums.begin(), sums.begin() + edges, std::array<double, 4 * kLanes>{});
+    doInLanes([&]() __attribute__((always_inline)) {
+        for (std::size_t i = 0; i < m_points.count; ++i) {
+            double* edge = sums[static_cast<std::size_t>(nearest[i])].data();
+            const double atEnd = shares[i];
+            const double atStart = 1.0 - atEnd;
+            const double weightedX = weights[i] * byX[i];
+            const Lanes squares{weightedX * byX[i], weightedX * byY[i], weights[i] * byY[i] * byY[i], 0.0};
+            const double gradientX = weightedResiduals[i] * byX[i];
+            const double gradientY = weightedResiduals[i] * byY[i];
+            const Lanes gradient{atStart * gradientX, atStart * gradientY, atEnd * gradientX,
+                                 atEnd * gradientY};
+            Lanes first, mixed, last, slopes;
+            load(first, edge);
+            load(mixed, edge + kLanes);
+            load(last, edge + 2 * kLanes);
+            load(slopes, edge + 3 * kLanes);
+            store(edge, first + atStart * atStart * squares);
+            store(edge + kLanes, mixed + atStart * atEnd * squares);
+            store(edge + 2 * kLanes, last + atEnd * atEnd * squares);
+            store(edge + 3 * kLanes, slopes - gradient);
+        }
+    });
     equations.count = static_cast<int>(2 * vertices);
     for (int column = 0; column < equations.count; ++column) {
         const int own = column - column % 2;
@@ -186,27 +185,29 @@ void PolylineModel::equations(const At& at, const double* weights, const double*
             equations.at(row, column) = 0.0;
         equations.gradient[static_cast<std::size_t>(column)] = 0.0;
     }
-    const std::size_t count = m_closed ? vertices : vertices - 1;
-    for (std::size_t e = 0; e < count; ++e) {
-        const auto& edge = sums[e];
+    for (std::size_t e = 0; e < edges; ++e) {
+        const double* first = sums[e].data();
+        const double* mixed = first + kLanes;
+        const double* last = mixed + kLanes;
+        const double* slopes = last + kLanes;
         const auto start = static_cast<int>(2 * e);
         const int end = e + 1 < vertices ? start + 2 : 0;
-        equations.at(start, start) += edge[0];
-        equations.at(start, start + 1) += edge[1];
-        equations.at(start + 1, start + 1) += edge[2];
-        equations.at(end, end) += edge[6];
-        equations.at(end, end + 1) += edge[7];
-        equations.at(end + 1, end + 1) += edge[8];
+        equations.at(start, start) += first[0];
+        equations.at(start, start + 1) += first[1];
+        equations.at(start + 1, start + 1) += first[2];
+        equations.at(end, end) += last[0];
+        equations.at(end, end + 1) += last[1];
+        equations.at(end + 1, end + 1) += last[2];
         const int before = std::min(start, end);
         const int after = std::max(start, end);
-        equations.at(before, after) += edge[3];
-        equations.at(before + 1, after) += edge[4];
-        equations.at(before, after + 1) += edge[4];
-        equations.at(before + 1, after + 1) += edge[5];
-        equations.gradient[static_cast<std::size_t>(start)] += edge[9];
-        equations.gradient[static_cast<std::size_t>(start) + 1] += edge[10];
-        equations.gradient[static_cast<std::size_t>(end)] += edge[11];
-        equations.gradient[static_cast<std::size_t>(end) + 1] += edge[12];
+        equations.at(before, after) += mixed[0];
+        equations.at(before + 1, after) += mixed[1];
+        equations.at(before, after + 1) += mixed[1];
+        equations.at(before + 1, after + 1) += mixed[2];
+        equations.gradient[static_cast<std::size_t>(start)] += slopes[0];
+        equations.gradient[static_cast<std::size_t>(start) + 1] += slopes[1];
+        equations.gradient[static_cast<std::size_t>(end)] += slopes[2];
+        equations.gradient[static_cast<std::size_t>(end) + 1] += slopes[3];
     }
 }
 
@@ -290,29 +291,60 @@ EdgeRuns::EdgeRuns(std::span<const Point> points, bool closed, std::size_t maxim
     , m_closed(closed)
     , m_maximumEdges(std::min(maximumEdges, points.size() / kPointsOfRun))
     , m_points(points.begin(), points.end()) {
-    if (closed)
-        m_points.insert(m_points.end(), points.begin(), points.end());
-    m_sums.resize(m_points.size() + 1, Eigen::Matrix<double, 5, 1>::Zero());
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-        const Point& p = m_points[i];
-        Eigen::Matrix<double, 5, 1> terms;
-        terms << p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
-        m_sums[i + 1] = m_sums[i] + terms;
+    // A closed contour begins where it is farthest from its middle, which of a polygon is at a vertex.
+    if (closed && m_count > 0) {
+        const Point middle = std::accumulate(points.begin(), points.end(), Point(Point::Zero())) /
+                             static_cast<double>(m_count);
+        std::ranges::rotate(m_points, std::ranges::max_element(m_points, {}, [&](const Point& p) {
+                                return (p - middle).squaredNorm();
+                            }));
     }
-    m_costs.assign(m_count * (m_count + 1), 0.0);
-    for (std::size_t begin = 0; begin < m_count; ++begin)
-        for (std::size_t run = kPointsOfRun; run <= (closed ? m_count : m_count - begin); ++run)
-            m_costs[begin * (m_count + 1) + run] = cost(begin, begin + run);
-    m_division = divide(0, m_maximumEdges);
+    measureRuns();
+    divide(std::min(m_maximumEdges + 1, m_count / kPointsOfRun));
 }
 
-double EdgeRuns::cost(std::size_t begin, std::size_t end) const {
-    const auto n = static_cast<double>(end - begin);
-    const Eigen::Matrix<double, 5, 1> s = m_sums[end] - m_sums[begin];
-    const double xx = s[2] - s[0] * s[0] / n;
-    const double xy = s[3] - s[0] * s[1] / n;
-    const double yy = s[4] - s[1] * s[1] / n;
-    return std::max(0.0, 0.5 * (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy)));
+/// Squared distances of the points from the total-least-squares line of each run.
+void EdgeRuns::measureRuns() {
+    m_stride = m_count + 1 + kLanes;
+    std::array<std::vector<double>, 5> sums; // of x, y, x^2, xy, y^2 of the points before
+    for (std::vector<double>& sum : sums)
+        sum.assign(m_stride, 0.0);
+    for (std::size_t i = 0; i < m_count; ++i) {
+        const Point& p = m_points[i];
+        const std::array<double, 5> terms{p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y()};
+        for (std::size_t k = 0; k < terms.size(); ++k)
+            sums[k][i + 1] = sums[k][i] + terms[k];
+    }
+    // Of each end the runs by where they begin.
+    m_costs.resize((m_count + 1) * m_stride);
+    doInLanes([&]() __attribute__((always_inline)) {
+        for (std::size_t end = kPointsOfRun; end <= m_count; ++end) {
+            double* costs = m_costs.data() + end * m_stride;
+            Lanes n = static_cast<double>(end) - Lanes{0.0, 1.0, 2.0, 3.0};
+            for (std::size_t begin = 0; begin + kPointsOfRun <= end; begin += kLanes) {
+                std::array<Lanes, 5> of;
+                for (std::size_t k = 0; k < of.size(); ++k) {
+                    load(of[k], sums[k].data() + begin);
+                    of[k] = sums[k][end] - of[k];
+                }
+                const Lanes inverse = 1.0 / (n > 1.0 ? n : 1.0 - Lanes{});
+                const Lanes xx = of[2] - of[0] * of[0] * inverse;
+                const Lanes xy = of[3] - of[0] * of[1] * inverse;
+                const Lanes yy = of[4] - of[1] * of[1] * inverse;
+                const Lanes root2 = (xx - yy) * (xx - yy) + 4.0 * xy * xy;
+                Lanes cost = xx + yy;
+                for (std::size_t lane = 0; lane < kLanes; ++lane)
+                    cost[lane] -= __builtin_sqrt(root2[lane]);
+                cost *= 0.5;
+                store(costs + begin, cost > 0.0 ? cost : Lanes{});
+                n -= static_cast<double>(kLanes);
+            }
+        }
+    });
+}
+
+double EdgeRuns::leastSquares(std::size_t edges) const {
+    return m_division.cost[m_count * m_division.width + std::min(edges + 1, m_count / kPointsOfRun)];
 }
 
 EdgeRuns::Line EdgeRuns::line(std::size_t begin, std::size_t end) const {
@@ -333,58 +365,52 @@ EdgeRuns::Line EdgeRuns::line(std::size_t begin, std::size_t end) const {
     return {middle, {std::cos(angle), std::sin(angle)}};
 }
 
-EdgeRuns::Division EdgeRuns::divide(std::size_t first, std::size_t edges) const {
-    Division division;
-    division.width = edges + 1 + kLanes; // several numbers of runs at once may reach beyond the last
-    division.cost.assign((m_count + 1) * division.width, std::numeric_limits<double>::infinity());
-    division.previous.assign(division.cost.size(), 0.0);
-    division.cost[0] = 0.0;
+void EdgeRuns::divide(std::size_t edges) {
+    m_division.width = edges + 1 + kLanes; // several numbers of runs at once may reach beyond the last
+    m_division.cost.assign((m_count + 1) * m_division.width, std::numeric_limits<double>::infinity());
+    m_division.previous.assign(m_division.cost.size(), 0.0);
+    m_division.cost[0] = 0.0;
     doInLanes([&]() __attribute__((always_inline)) {
         for (std::size_t end = kPointsOfRun; end <= m_count; ++end)
-            for (std::size_t begin = 0; begin + kPointsOfRun <= end; ++begin) {
-                const double run = m_costs[(first + begin) % m_count * (m_count + 1) + end - begin];
-                for (std::size_t runs = 1; runs <= edges; runs += kLanes) {
-                    double* cost = division.cost.data() + end * division.width + runs;
-                    double* previous = division.previous.data() + end * division.width + runs;
-                    Lanes total, least, from;
-                    load(total, division.cost.data() + begin * division.width + runs - 1);
-                    load(least, cost);
-                    load(from, previous);
-                    total += run;
+            for (std::size_t runs = 1; runs <= edges; runs += kLanes) {
+                const double* costs = m_costs.data() + end * m_stride;
+                const double* before = m_division.cost.data() + runs - 1;
+                Lanes least = std::numeric_limits<double>::infinity() - Lanes{};
+                Lanes from{};
+                Lanes begin{};
+                for (std::size_t i = 0; i + kPointsOfRun <= end; ++i) {
+                    Lanes total;
+                    load(total, before + i * m_division.width);
+                    total += costs[i];
                     const auto less = total < least;
-                    store(cost, less ? total : least);
-                    store(previous, less ? static_cast<double>(begin) - Lanes{} : from);
+                    least = less ? total : least;
+                    from = less ? begin : from;
+                    begin += 1.0;
                 }
+                store(m_division.cost.data() + end * m_division.width + runs, least);
+                store(m_division.previous.data() + end * m_division.width + runs, from);
             }
     });
-    return division;
 }
 
-std::vector<std::size_t> EdgeRuns::starts(const Division& division, std::size_t edges) const {
+std::vector<std::size_t> EdgeRuns::starts(std::size_t edges) const {
     std::vector<std::size_t> result(edges);
     std::size_t end = m_count;
     for (std::size_t run = edges; run > 0; --run) {
-        end = static_cast<std::size_t>(division.previous[end * division.width + run]);
+        end = static_cast<std::size_t>(m_division.previous[end * m_division.width + run]);
         result[run - 1] = end;
     }
     return result;
 }
 
 Eigen::VectorXd EdgeRuns::vertices(std::size_t edges) const {
-    std::size_t first = 0;
-    std::vector<std::size_t> begins = starts(m_division, edges);
-    if (m_closed) {
-        // The first division has a vertex at the arbitrary first point; a second one that starts at another
-        // vertex removes it.
-        first = begins[edges / 2];
-        begins = starts(divide(first, edges), edges);
-    }
+    const std::vector<std::size_t> begins = starts(edges);
     std::vector<Line> lines;
     for (std::size_t run = 0; run < edges; ++run)
-        lines.push_back(line(first + begins[run], first + (run + 1 < edges ? begins[run + 1] : m_count)));
+        lines.push_back(line(begins[run], run + 1 < edges ? begins[run + 1] : m_count));
 
     const auto meeting = [&](std::size_t before, std::size_t after) {
-        const std::size_t place = first + begins[after];
+        const std::size_t place = begins[after];
         const Point between = 0.5 * (m_points[place] + m_points[place > 0 ? place - 1 : m_count - 1]);
         const Line& a = lines[before];
         const Line& b = lines[after];

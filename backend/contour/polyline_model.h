@@ -59,6 +59,9 @@ public:
     EdgeRuns(std::span<const Point> points, bool closed, std::size_t maximumEdges);
 
     [[nodiscard]] std::size_t maximumEdges() const { return m_maximumEdges; }
+    /// Least sum of squared distances of the points from the lines of this many edges, where one more run may
+    /// leave an outlier out. edges: at most maximumEdges().
+    [[nodiscard]] double leastSquares(std::size_t edges) const;
     /// Coordinates of the vertices of a chain with this number of edges: as many vertices when closed, one
     /// more when open. edges: 1 (open) or 3 (closed) to maximumEdges().
     [[nodiscard]] Eigen::VectorXd vertices(std::size_t edges) const;
@@ -73,17 +76,17 @@ private:
         std::vector<double> cost;     ///< (end, runs): least cost of the first `end` points in `runs` runs
         std::vector<double> previous; ///< where the last of these runs begins
     };
+    void measureRuns();
+    void divide(std::size_t edges);
     [[nodiscard]] Line line(std::size_t begin, std::size_t end) const;
-    [[nodiscard]] double cost(std::size_t begin, std::size_t end) const;
-    [[nodiscard]] Division divide(std::size_t first, std::size_t edges) const;
-    [[nodiscard]] std::vector<std::size_t> starts(const Division& division, std::size_t edges) const;
+    [[nodiscard]] std::vector<std::size_t> starts(std::size_t edges) const;
 
     std::size_t m_count;
     bool m_closed;
     std::size_t m_maximumEdges;
-    std::vector<Point> m_points;                     ///< twice around when closed
-    std::vector<Eigen::Matrix<double, 5, 1>> m_sums; ///< of x, y, x^2, xy, y^2 of the points before
-    std::vector<double> m_costs;                     ///< (begin, points) of runs
+    std::vector<Point> m_points;
+    std::size_t m_stride = 0;    ///< of m_costs
+    std::vector<double> m_costs; ///< (end, begin) of runs
     Division m_division;
 };
 

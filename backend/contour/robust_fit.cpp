@@ -19,9 +19,10 @@ constexpr double kSmallestDeviation = 0.01;
 constexpr double kBiweight = 4.685; // 95 % efficient for a normal distribution
 constexpr double kMadToDeviation = 1.4826;
 constexpr int kIterations = 40;
-constexpr double kWideTolerance = 1e-3; ///< relative decrease of the loss at which the stage ends
-constexpr double kRoughTolerance = 1e-6;
-constexpr double kTolerance = 1e-9;
+constexpr double kWideTolerance = 1e-2; ///< relative decrease of the loss at which the stage ends
+constexpr double kRoughTolerance = 1e-2;
+constexpr double kTolerance = 1e-4;
+constexpr double kFineTolerance = 1e-9;
 constexpr double kLargestStep = 0.5;
 constexpr double kLeastStrength = 1e-200; ///< of a direction in the normal matrix
 
@@ -136,7 +137,8 @@ void descend(const RobustModel& model, At& at, double scale, double tolerance) {
             const double trialCost = robustLoss(residualsOf(model, trial), scale);
             if (trialCost < cost) {
                 improved = true;
-                damping = std::max(1e-12, damping * 0.1);
+                if (attempt == 0)
+                    damping = std::max(1e-12, damping * 0.1);
                 std::swap(at, trial);
                 const bool settled = cost - trialCost <= tolerance * cost || length < 1e-15;
                 cost = trialCost;
@@ -212,27 +214,43 @@ RobustFit fitTo(const RobustModel& model, const RobustModel::Parameters& start, 
     return toFit(model, at, scale);
 }
 
+RobustFit continued(const RobustModel& model, const RobustFit& fit, double tolerance) {
+    At at;
+    at.parameters = fit.parameters;
+    model.evaluate(at);
+    descend(model, at, fit.scale, tolerance);
+    return toFit(model, at, fit.scale);
+}
+
 } // namespace
 
 NormalMatrix normalMatrix(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& weights) {
     const Eigen::Index count = jacobian.cols();
-    NormalMatrix normal = NormalMatrix::Zero(count, count);
-    // Each row of a chain's has only four numbers that are not zero.
-    std::array<std::pair<Eigen::Index, double>, kMostParameters> row;
-    for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
-        std::size_t used = 0;
-        for (Eigen::Index k = 0; k < count; ++k)
-            if (const double d = jacobian(i, k); d != 0.0)
-                row[used++] = {k, d};
-        for (std::size_t k = 0; k < used; ++k) {
-            const double weighted = weights[i] * row[k].second;
-            for (std::size_t l = 0; l <= k; ++l)
-                normal(row[l].first, row[k].first) += weighted * row[l].second;
+    const auto rows = static_cast<std::size_t>(jacobian.rows());
+    const std::size_t whole = rows - rows % kLanes;
+    NormalMatrix normal(count, count);
+    std::vector<double> weighted(rows);
+    doInLanes([&]() __attribute__((always_inline)) {
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const double* own = jacobian.data() + static_cast<std::size_t>(k) * rows;
+            for (std::size_t i = 0; i < rows; ++i)
+                weighted[i] = weights.data()[i] * own[i];
+            for (Eigen::Index l = 0; l <= k; ++l) {
+                const double* other = jacobian.data() + static_cast<std::size_t>(l) * rows;
+                Lanes sums{};
+                for (std::size_t i = 0; i < whole; i += kLanes) {
+                    Lanes a, b;
+                    load(a, weighted.data() + i);
+                    load(b, other + i);
+                    sums += a * b;
+                }
+                double sum = sumOf(sums);
+                for (std::size_t i = whole; i < rows; ++i)
+                    sum += weighted[i] * other[i];
+                normal.data()[l * count + k] = normal.data()[k * count + l] = sum;
+            }
         }
-    }
-    for (Eigen::Index k = 0; k < count; ++k)
-        for (Eigen::Index l = 0; l < k; ++l)
-            normal(k, l) = normal(l, k);
+    });
     return normal;
 }
 
@@ -328,11 +346,11 @@ RobustFit fitRoughly(const RobustModel& model, const RobustModel::Parameters& st
 }
 
 RobustFit refined(const RobustModel& model, const RobustFit& fit) {
-    At at;
-    at.parameters = fit.parameters;
-    model.evaluate(at);
-    descend(model, at, fit.scale, kTolerance);
-    return toFit(model, at, fit.scale);
+    return continued(model, fit, kTolerance);
+}
+
+RobustFit polished(const RobustModel& model, const RobustFit& fit) {
+    return continued(model, fit, kFineTolerance);
 }
 
 RobustFit fitRobustly(const RobustModel& model, const RobustModel::Parameters& start) {

@@ -18,6 +18,9 @@ namespace {
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kWidestGapOfRegularPolygon = 0.25; ///< of the circle around it
 constexpr std::size_t kEdgesTried = 10;
+/// What a chain nearly always remains below its expectation; 0.3 to 0.7 times this is the logarithm of the
+/// odds.
+constexpr double kUsualShortfall = 8.0;
 
 class Explainer {
 public:
@@ -123,44 +126,44 @@ private:
     }
 
     void addPolygons() {
-        // Of several fits of a triangle, and of a quadrilateral that is only a start, roughly is enough.
-        constexpr std::size_t kTriangle = 3;
-        // Triangles and rectangles are convex, so the angle gives their order however they were explored.
-        std::vector<ChainFit> triangles;
+        std::vector<Eigen::VectorXd> triangles{largeTriangle(m_points)};
         std::vector<Eigen::VectorXd> quadrilaterals;
-        const auto sort = [&](std::vector<ChainFit> chains, bool alsoOthers) {
-            for (ChainFit& chain : chains) {
-                if (chain.closed && chain.edges == 3) {
-                    triangles.push_back(std::move(chain));
-                    continue;
-                }
-                if (chain.closed && chain.edges == 4)
-                    quadrilaterals.push_back(chain.fit.parameters);
-                if (!alsoOthers || chain.edges == 1)
-                    continue;
-                const double length = polylineLength(chain.fit.parameters, chain.closed);
-                const std::vector<double> places =
-                    waysOnPolyline(m_points, chain.fit.parameters, chain.closed);
-                const double order = logEvidenceOfOrder(places, length, chain.closed ? length : 0.0);
-                const double weight = chain.evidence.logEvidence + order;
-                Explanation& other =
-                    add(Model::chain, weight, std::move(chain.fit), std::move(chain.evidence));
-                other.vertices = toVertices(other.fit.parameters);
-            }
+        const auto start = [&](const ChainFitter& closed) {
+            if (closed.mostEdges() >= 3)
+                triangles.push_back(closed.start(3));
+            if (closed.mostEdges() >= 4)
+                quadrilaterals.push_back(closed.start(4));
         };
-        sort(fitChains(m_points, orderedByAngle(m_points), true, 4, m_result.closed ? 4 : kTriangle),
-             !m_result.closed);
-        sort(fitChains(m_points, m_ordered, m_result.closed, kEdgesTried, m_result.closed ? kTriangle : 0),
-             true);
-        triangles.push_back(fitClosedChain(m_points, largeTriangle(m_points)));
+        // Triangles and rectangles are convex, so the angle gives their order however they were explored.
+        const std::vector<Point> byAngle = orderedByAngle(m_points);
+        const ChainFitter chains(m_points, m_ordered, m_result.closed, kEdgesTried);
+        std::optional<ChainFitter> convex;
+        if (m_result.closed)
+            start(chains);
+        if (!m_result.closed || !isSameLap(byAngle, m_ordered))
+            start(convex.emplace(m_points, byAngle, true, 4));
 
-        const auto best = std::ranges::max_element(
-            triangles, {}, [](const ChainFit& chain) { return chain.evidence.logEvidence; });
-        RobustFit triangle = refinedClosedChain(m_points, *best);
+        RobustFit triangle = fitClosedChain(m_points, triangles);
         const Eigen::VectorXd vertices = triangle.parameters;
         addClosed(Model::triangle, std::move(triangle), vertices);
         PolygonFit rectangle = fitRectangle(m_points, quadrilaterals);
         addClosed(Model::rectangle, std::move(rectangle.fit), rectangle.vertices);
+
+        const Rival rival{m_bestWeight - m_bestOrder + kUsualShortfall, m_bestWay.length};
+        if (!m_result.closed)
+            for (ChainFit& chain : convex->fitFrom(4, rival))
+                addChain(std::move(chain));
+        for (ChainFit& chain : chains.fitFrom(m_result.closed ? 4 : 2, rival))
+            addChain(std::move(chain));
+    }
+
+    void addChain(ChainFit chain) {
+        const double length = polylineLength(chain.fit.parameters, chain.closed);
+        const std::vector<double> places = waysOnPolyline(m_points, chain.fit.parameters, chain.closed);
+        const double order = logEvidenceOfOrder(places, length, chain.closed ? length : 0.0);
+        const double weight = chain.evidence.logEvidence + order;
+        Explanation& other = add(Model::chain, weight, std::move(chain.fit), std::move(chain.evidence));
+        other.vertices = toVertices(other.fit.parameters);
     }
 
     void addClosed(Model model, RobustFit fit, const Eigen::VectorXd& vertices) {

@@ -56,4 +56,20 @@ TEST(Lanes, areTheSameBitsWithAvx2AsWithout) {
 }
 #endif
 
+TEST(Lanes, exponentialsAndRootsAreThoseOfTheLibrary) {
+    for (double x = -700.0; x < 700.0; x += 0.37) {
+        Lanes numbers{x, -1e-9 * x, 0.01 * x, -5000.0};
+        Lanes roots{std::abs(x), 0.0, 2.0, 1e-300};
+        takeExponentials(numbers);
+        takeRoots(roots);
+        const double expected[] = {std::exp(x), std::exp(-1e-9 * x), std::exp(0.01 * x), std::exp(-700.0)};
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+            ASSERT_NEAR(numbers[lane] / expected[lane], 1.0, 5e-16) << x << ' ' << lane;
+        ASSERT_EQ(roots[0], std::sqrt(std::abs(x)));
+        ASSERT_EQ(roots[1], 0.0);
+        ASSERT_EQ(roots[2], std::sqrt(2.0));
+        ASSERT_EQ(roots[3], 1e-150);
+    }
+}
+
 } // namespace teleta::contour

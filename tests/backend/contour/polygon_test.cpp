@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/contour/contour_order.h"
 #include "backend/contour/polygon.h"
 #include "tests/backend/contour/random_shapes.h"
 
@@ -174,6 +175,51 @@ TEST(Polygon, degenerateContoursHaveNoVerticesAndUnusableOnesNoAnswer) {
     EXPECT_EQ(findPolygon(Points{{0.0, 0.0}, {0.1, 0.0}})->vertices_m.size(), 2U);
     EXPECT_EQ(findPolygon(Points{{0.0, 0.0}, {0.1, 0.0}, {0.1, 0.1}}, true)->edges(), 1U);
     EXPECT_FALSE(findPolygon(Points{{0.0, std::numeric_limits<double>::infinity()}}).has_value());
+}
+
+TEST(ChainFitter, chainsHardlyEverExceedTheirExpectation) {
+    RandomShapes random(31);
+    int fitted = 0;
+    int exceeded = 0;
+    for (int i = 0; i < 100; ++i)
+        for (const Points& points_m :
+             {random.circle(0.1, random.exploration(0.02)), random.triangle(0.1, random.exploration(0.02)),
+              random.pentagon(0.1, random.exploration(0.02))}) {
+            const PreparedContour contour = prepare(points_m);
+            const ChainFitter fitter(contour.points, contour.points, true, 8);
+            const EdgeRuns runs(contour.points, true, 8);
+            for (const ChainFit& chain : fitter.fitFrom(4)) {
+                ++fitted;
+                const double most =
+                    evidenceToExpect(contour.points.size(), 2 * chain.edges, runs.leastSquares(chain.edges),
+                                     polylineLength(chain.fit.parameters, true));
+                exceeded += chain.evidence.logEvidence > most ? 1 : 0;
+                // A rival just above leaves this chain out, a rival far below does not.
+                const double length = polylineLength(chain.fit.parameters, true);
+                const auto isFitted = [&](double rival) {
+                    const auto chains = fitter.fitFrom(chain.edges, {rival, length});
+                    return !chains.empty() && chains.front().edges == chain.edges;
+                };
+                EXPECT_FALSE(isFitted(most + 1.0));
+                EXPECT_TRUE(isFitted(most - 1.0));
+            }
+        }
+    EXPECT_GT(fitted, 500);
+    EXPECT_LE(exceeded, fitted / 50);
+}
+
+TEST(ContourOrder, aLapIsTheSameFromAnyPointInEitherDirection) {
+    Points lap = walk(kPentagon, true, 11);
+    Points other = lap;
+    std::rotate(other.begin(), other.begin() + 4, other.end());
+    EXPECT_TRUE(isSameLap(lap, other));
+    std::reverse(other.begin(), other.end());
+    EXPECT_TRUE(isSameLap(lap, other));
+    std::swap(other[2], other[3]);
+    EXPECT_FALSE(isSameLap(lap, other));
+    other.pop_back();
+    EXPECT_FALSE(isSameLap(lap, other));
+    EXPECT_FALSE(isSameLap({}, {}));
 }
 
 } // namespace teleta::contour
