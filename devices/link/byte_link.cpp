@@ -129,6 +129,10 @@ core::Expected<ByteLink> ByteLink::open(const Address& address, std::int64_t dea
         return openUdp(*udp);
     if (const auto* file = std::get_if<FileAddress>(&address))
         return openFile(*file);
+    if (const auto* web = std::get_if<WebAddress>(&address); web != nullptr && web->shared_ms > 0)
+        return SharedWebSocket::open(*web, deadline_ns, wake).map([](SharedWebSocket socket) {
+            return ByteLink(std::move(socket));
+        });
     if (const auto* web = std::get_if<WebAddress>(&address))
         return WebSocket::open(*web, deadline_ns, wake).map([](WebSocket socket) {
             return ByteLink(std::move(socket));
@@ -307,6 +311,12 @@ Outcome ByteLink::read(std::span<std::uint8_t> buffer, std::size_t& count, std::
             m_goneReason = m_web->goneReason();
         return outcome;
     }
+    if (m_shared) {
+        const Outcome outcome = m_shared->read(buffer, count, deadline_ns, wake);
+        if (outcome == Outcome::gone)
+            m_goneReason = m_shared->goneReason();
+        return outcome;
+    }
     for (;;) {
         int error = 0;
         const Outcome outcome = waitFor(m_descriptor.get(), POLLIN, deadline_ns, wake, error);
@@ -344,6 +354,8 @@ Outcome ByteLink::write(std::span<const std::uint8_t> bytes, std::int64_t deadli
 void ByteLink::tell(const std::string& text, const WakePipe* wake) {
     if (m_web)
         return m_web->tell(text);
+    if (m_shared)
+        return; // a server that several ask is told nothing
     (void)write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
                 core::steadyNow_ns() + kTell_ns, wake);
 }

@@ -5,6 +5,7 @@
 #include "backend/core/file_descriptor.h"
 #include "devices/link/link_address.h"
 #include "devices/link/link_outcome.h"
+#include "devices/link/shared_web_socket.h"
 #include "devices/link/wake_pipe.h"
 #include "devices/link/web_socket.h"
 
@@ -46,14 +47,16 @@ public:
     void tell(const std::string& text, const WakePipe* wake);
 
     /// Messages that were left out, of a WebAddress that takes texts only.
-    [[nodiscard]] std::uint64_t leftOut() const { return m_web ? m_web->leftOut() : 0; }
+    [[nodiscard]] std::uint64_t leftOut() const {
+        return m_web ? m_web->leftOut() : m_shared ? m_shared->leftOut() : 0;
+    }
 
     /// Translated; after Outcome::gone.
     [[nodiscard]] const std::string& goneReason() const { return m_goneReason; }
     /// After Outcome::gone: a regular file was read to its end.
     [[nodiscard]] bool ended() const { return m_ended; }
     /// Each read brings one message.
-    [[nodiscard]] bool isDatagrams() const { return m_kind == Kind::udp || m_web; }
+    [[nodiscard]] bool isDatagrams() const { return m_kind == Kind::udp || m_kind == Kind::web; }
     /// Only the thread that opened it may use and close it.
     [[nodiscard]] bool staysInThread() const { return m_web.has_value(); }
     /// The bytes are all there, and reading waits for nothing.
@@ -68,6 +71,9 @@ private:
     explicit ByteLink(WebSocket web)
         : m_kind(Kind::web)
         , m_web(std::move(web)) {}
+    explicit ByteLink(SharedWebSocket shared)
+        : m_kind(Kind::web)
+        , m_shared(std::move(shared)) {}
 
     [[nodiscard]] static core::Expected<ByteLink> openSerial(const SerialAddress& address);
     [[nodiscard]] static core::Expected<ByteLink> openTcp(const TcpAddress& address, std::int64_t deadline_ns,
@@ -83,6 +89,7 @@ private:
     /// Addresses of the only host whose datagrams are taken; empty: any that reach us.
     std::vector<std::vector<std::uint8_t>> m_senders;
     std::optional<WebSocket> m_web;
+    std::optional<SharedWebSocket> m_shared;
     bool m_ended = false;
     std::string m_goneReason;
 };

@@ -44,6 +44,8 @@ struct FileAddress {
 struct WebAddress {
     std::string url;        ///< ws://HOST:PORT/PATH or wss://
     bool textsOnly = false; ///< messages of bytes are left out and counted
+    /// > 0: the connection is shared with others of the same URL, and ends when no message comes for so long.
+    int shared_ms = 0;
 
     bool operator==(const WebAddress&) const = default;
 };

@@ -22,7 +22,9 @@ enum class Values { calibrated, raw };
 void XelaFile::describeKeys(core::Keys& keys) {
     keys.word("kind", "xela", "A XELA uSkin behind its xela_server");
     keys.text("name", taxels.name, "Name on the screen");
-    link::WebAddress server{.url = "ws://127.0.0.1:5000", .textsOnly = true};
+    // One message has all sensors of a server. A sensor is looked for anew before this time.
+    constexpr int kSilence_ms = 10'000;
+    link::WebAddress server{.url = "ws://127.0.0.1:5000", .textsOnly = true, .shared_ms = kSilence_ms};
     describeWebAddress(keys, server.url, "Address of its server", Need::optional);
     taxels.address = server;
     int sensor = 1;

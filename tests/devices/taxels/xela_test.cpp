@@ -215,6 +215,50 @@ TEST_F(Xela, connectsAgainWhenTheServerClosesOrSendsTooMuch) {
     EXPECT_EQ(m_device->status().state, DeviceState::closed);
 }
 
+TEST_F(Xela, sensorsOfOneServerShareAConnection) {
+    start(kForces);
+    TaxelsFile file = test::parsed(
+        "kind = 'xela'\nname = 'thumb'\nurl = 'ws://127.0.0.1:" + m_port +
+        "'\nsensor = 2\nvalues = 'raw'\nthreshold = 100.0\nrest_frames = 0\n[layout]\nrows = 4\ncolumns = "
+        "6\npitch_x_mm = 4.7\n");
+    file.times.noFrames_ms = 20'000;
+    auto other = TaxelsDevice::open(std::move(file));
+    ASSERT_TRUE(other) << core::describe(other.error());
+    core::Wakeup wakeup;
+    (*other)->start(wakeup);
+    ASSERT_TRUE(m_server.command("forces 8 17"));
+    ASSERT_TRUE(receive(10));
+    EXPECT_EQ(m_frames.front().front(), 1.0F);
+    std::vector<float> first;
+    std::size_t frames = 0;
+    ASSERT_TRUE(eventually(wakeup, [&] {
+        core::SampleBlock block;
+        while ((*other)->blocks().pop(block)) {
+            if (first.empty())
+                first.assign(block.frame(0).begin(), block.frame(0).end());
+            frames += block.frames();
+        }
+        return frames >= 10;
+    }));
+    ASSERT_EQ(first.size(), 72U);
+    for (std::size_t i = 0; i < 72; ++i)
+        EXPECT_EQ(first[i], static_cast<float>(9U * 131 + i));
+    m_server.say("clients");
+    EXPECT_EQ(m_server.waitFor("clients "), "clients 1");
+    // One of them goes, the other stays; when the server closes, it connects again.
+    m_device->stop();
+    m_device.reset();
+    ASSERT_TRUE(m_server.command("forces 18 19"));
+    ASSERT_TRUE(eventually(wakeup, [&] {
+        core::SampleBlock block;
+        while ((*other)->blocks().pop(block))
+            frames += block.frames();
+        return frames >= 12;
+    }));
+    ASSERT_TRUE(m_server.command("close 1001"));
+    ASSERT_TRUE(eventually(wakeup, [&] { return (*other)->counters().connections == 2; }));
+}
+
 TEST_F(Xela, isWaitedForUntilSomebodyCancels) {
     const TaxelsFile file = test::parsed(fileFor(kRaw));
     EXPECT_EQ(file.restFrames, 50);
