@@ -298,6 +298,38 @@
         <source>Release control of the site</source>
         <translation>Rendre la commande du site</translation>
     </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>Shift with Q W E R, A S D F</source>
+        <translation>Maj avec Q W E R, A S D F</translation>
+    </message>
+    <message>
+        <source>Move the arm, in Jog</source>
+        <translation>Déplacer le bras, dans « Déplacement manuel »</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Maj+M</translation>
+    </message>
+    <message>
+        <source>Show one view alone, or all again; a double click on its title does the same</source>
+        <translation>Afficher une vue seule, ou de nouveau toutes ; un double clic sur son titre fait de même</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Close the source that is shown</source>
+        <translation>Fermer la source affichée</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -631,10 +663,6 @@
         <translation>Terminé : les trames de la matrice sont anciennes.</translation>
     </message>
     <message>
-        <source>Ended: the arm took no commands.</source>
-        <translation>Terminé : le bras n’acceptait pas de commandes.</translation>
-    </message>
-    <message>
         <source>Ended: the arm took no commands: %1.</source>
         <translation>Terminé : le bras n’acceptait pas de commandes : %1.</translation>
     </message>
@@ -673,6 +701,10 @@
     <message>
         <source>Ended: a joint is at the end of its range.</source>
         <translation>Terminé : une articulation est au bout de sa course.</translation>
+    </message>
+    <message>
+        <source>Ended: the commands came too late, or the arm took none.</source>
+        <translation>Terminé : les commandes sont arrivées trop tard, ou le bras n’en acceptait pas.</translation>
     </message>
 </context>
 <context>
@@ -887,6 +919,19 @@
     <message>
         <source>a frame of the array has %1 numbers</source>
         <translation>une trame du tableau a %1 nombres</translation>
+    </message>
+    <message>
+        <source>the layout with which the frames were recorded</source>
+        <translation>la disposition avec laquelle les trames ont été enregistrées</translation>
+    </message>
+    <message>
+        <source>positions_m has the shape %1, but the layout has %2 taxels</source>
+        <translation>positions_m a la forme %1, mais la disposition a %2 taxels</translation>
+    </message>
+    <message>
+        <source>positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm</source>
+        <comment>a number, x, y or z, two places</comment>
+        <translation>positions_m place le taxel %1 à %2 = %3 mm, la disposition à %4 mm</translation>
     </message>
 </context>
 <context>
@@ -3703,10 +3748,6 @@ Exemples&#xa0;:
         <translation>Un bras parmi des objets inconnus</translation>
     </message>
     <message>
-        <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
-        <translation>Conduisez-le vous-même par une liaison lente, ou regardez l’opérateur programmé&#xa0;: chaque objet trouvé est inscrit au relevé</translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation>Bras</translation>
     </message>
@@ -3785,6 +3826,10 @@ Exemples&#xa0;:
     <message>
         <source>It is turned about the normal, and the skin turns with it</source>
         <translation>Elle tourne autour de la normale, et la peau tourne avec elle</translation>
+    </message>
+    <message>
+        <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
+        <translation>Pilotez-le vous-même par une liaison lente, ou regardez un opérateur programmé les trouver</translation>
     </message>
 </context>
 <context>
@@ -4731,10 +4776,6 @@ Exemples&#xa0;:
         <translation>Distance entre taxels voisins en mm</translation>
     </message>
     <message>
-        <source>Load in N from which a taxel is in contact</source>
-        <translation>Charge en N à partir de laquelle un taxel est en contact</translation>
-    </message>
-    <message>
         <source>The raw values fall under load</source>
         <translation>Les valeurs brutes diminuent sous charge</translation>
     </message>
@@ -4841,6 +4882,14 @@ Exemples&#xa0;:
     <message>
         <source>this is for loads on a grid</source>
         <translation>ceci est pour des charges sur une grille</translation>
+    </message>
+    <message>
+        <source>the loads are in %1: write from how many %1 a taxel is in contact, such as five times the noise at rest</source>
+        <translation>les charges sont en %1 : écrivez à partir de combien de %1 un taxel est en contact, par exemple cinq fois le bruit au repos</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in N or the unit of the file; 0.2 unless that is another one than N and counts</source>
+        <translation>Charge à partir de laquelle un taxel est en contact, en N ou dans l’unité du fichier ; 0,2, sauf si celle-ci n’est ni N ni des coups</translation>
     </message>
 </context>
 <context>
@@ -5531,10 +5580,6 @@ Exemples&#xa0;:
         <translation>Unité des charges ; par défaut celle du fichier, sinon N ou counts, selon la matrice</translation>
     </message>
     <message>
-        <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
-        <translation>Charge à partir de laquelle un taxel est en contact, dans les réglages de l’enregistrement</translation>
-    </message>
-    <message>
         <source>this is for MCAP files only</source>
         <translation>ceci est pour MCAP, mais le fichier n’en est pas un</translation>
     </message>
@@ -5545,6 +5590,10 @@ Exemples&#xa0;:
     <message>
         <source>Make a recording of an MCAP file, or of the frames of another program</source>
         <translation>Faire un enregistrement d’un fichier MCAP ou des trames d’un autre programme</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the recording&apos;s settings; 0.2 unless the unit is another one than N and counts</source>
+        <translation>Charge à partir de laquelle un taxel est en contact, dans les réglages de l’enregistrement ; 0,2, sauf si l’unité n’est ni N ni des coups</translation>
     </message>
 </context>
 <context>
@@ -6215,6 +6264,10 @@ Exemples&#xa0;:
     <message>
         <source>The other program closed the pipe.</source>
         <translation>L’autre programme a fermé le tube.</translation>
+    </message>
+    <message>
+        <source>The server has sent nothing for %1 s.</source>
+        <translation>Le serveur n’a rien envoyé depuis %1 s.</translation>
     </message>
 </context>
 <context>
@@ -8973,6 +9026,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordingArgumentsText</name>
+    <message>
+        <source>the loads are in %1, a unit without a usual threshold</source>
+        <translation>les charges sont en %1, une unité sans seuil usuel</translation>
+    </message>
+    <message>
+        <source>--threshold, from how many %1 a taxel is in contact</source>
+        <translation>--threshold : à partir de combien de %1 un taxel est en contact</translation>
+    </message>
+</context>
+<context>
     <name>RecordingExport</name>
     <message>
         <source>another folder</source>
@@ -11094,6 +11158,10 @@ Run %2 --help for more.
         <source>an earlier program of this console still controls the site</source>
         <translation>un programme précédent de cette console commande encore le site</translation>
     </message>
+    <message>
+        <source>let go of the switch and press it again</source>
+        <translation>lâchez l’interrupteur et pressez-le de nouveau</translation>
+    </message>
 </context>
 <context>
     <name>SiteCommandText</name>
@@ -11489,6 +11557,10 @@ Run teleta-site --help for more.
         <translation>teleta-site: %1
 Lancez teleta-site --help pour en savoir plus.
 </translation>
+    </message>
+    <message>
+        <source>Folder that keeps who engages STOP, for the next start; default: $STATE_DIRECTORY, otherwise ~/.local/state/teleta-site</source>
+        <translation>Dossier qui garde qui a engagé STOP, pour le prochain démarrage ; par défaut : $STATE_DIRECTORY, sinon ~/.local/state/teleta-site</translation>
     </message>
 </context>
 <context>
@@ -12254,6 +12326,17 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>at most stimulus_s, %1 s</source>
         <translation>au plus stimulus_s, %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>StopMemoryText</name>
+    <message>
+        <source>this does not tell who engages STOP</source>
+        <translation>ceci ne dit pas qui a engagé STOP</translation>
+    </message>
+    <message>
+        <source>version 1, site, consoles</source>
+        <translation>version 1, site, consoles</translation>
     </message>
 </context>
 <context>
@@ -18652,6 +18735,10 @@ Lancez teleta-site --help pour en savoir plus.
         <comment>simulated, short</comment>
         <translation>sim</translation>
     </message>
+    <message>
+        <source>Frames lost: not counted by the sensor</source>
+        <translation>Trames perdues : non comptées par le capteur</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::FirstSteps</name>
@@ -20097,6 +20184,18 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
         <translation>Les colonnes sont des nombres et des plages, comme 2..85 ou 2..10,12.</translation>
     </message>
+    <message>
+        <source>0.2 N, or a count</source>
+        <translation>0,2 N, ou un coup</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the unit of the values</source>
+        <translation>Charge à partir de laquelle un taxel est en contact, dans l’unité des valeurs</translation>
+    </message>
+    <message>
+        <source>In contact &amp;from:</source>
+        <translation>En contact à par&amp;tir de :</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FramePreview</name>
@@ -21150,12 +21249,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Marques</translation>
     </message>
     <message>
-        <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
-        <translation>Aucune marque. M en pose une pendant un enregistrement&#xa0;; son texte peut alors être saisi.</translation>
-    </message>
-    <message>
         <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a mark goes there.</source>
         <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir&#xa0;; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur une marque y mène.</translation>
+    </message>
+    <message>
+        <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
+        <translation>Pas encore de marque. Pendant un enregistrement, M en pose une ; saisissez ensuite ce que c’était.</translation>
     </message>
 </context>
 <context>
@@ -22780,6 +22879,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The checksum of the file is wrong: it was damaged somewhere.</source>
         <translation>La somme de contrôle du fichier est fausse&#xa0;: il a été endommagé quelque part.</translation>
+    </message>
+    <message>
+        <source>the loads are in %1, a unit without a usual threshold</source>
+        <translation>les charges sont en %1, une unité sans seuil usuel</translation>
+    </message>
+    <message>
+        <source>from how many %1 a taxel is in contact</source>
+        <translation>à partir de combien de %1 un taxel est en contact</translation>
     </message>
 </context>
 <context>
@@ -24515,6 +24622,30 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Matrices</source>
         <translation>Matrices</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécuter</translation>
+    </message>
+    <message>
+        <source>Let the scene go on (F5)</source>
+        <translation>Laisser continuer la scène (F5)</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Maintenir</translation>
+    </message>
+    <message>
+        <source>Hold the scene where it is (Shift+F5)</source>
+        <translation>Maintenir la scène là où elle en est (Maj+F5)</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Recommencer</translation>
+    </message>
+    <message>
+        <source>Start the scene again (Ctrl+F5)</source>
+        <translation>Recommencer la scène (Ctrl+F5)</translation>
     </message>
 </context>
 <context>
@@ -26701,10 +26832,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Suivre le contact</translation>
     </message>
     <message>
-        <source>Keep the strongest contact in the middle</source>
-        <translation>Garder le contact le plus fort au milieu</translation>
-    </message>
-    <message>
         <source>Orthographic</source>
         <translation>Orthographique</translation>
     </message>
@@ -26835,6 +26962,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Show what a simulated scene has around the arm</source>
         <translation>Montrer ce qu’une scène simulée place autour du bras</translation>
+    </message>
+    <message>
+        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
+        <translation>Garder au milieu le contact le plus fort, ou la main du bras tant que rien n’est touché</translation>
     </message>
 </context>
 <context>

@@ -298,6 +298,38 @@
         <source>Release control of the site</source>
         <translation>サイトの操作権を手放す</translation>
     </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Shift with Q W E R, A S D F</source>
+        <translation>ShiftとQ W E R、A S D F</translation>
+    </message>
+    <message>
+        <source>Move the arm, in Jog</source>
+        <translation>アームを動かす（ジョグ）</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Show one view alone, or all again; a double click on its title does the same</source>
+        <translation>ビューを1つだけ表示、またはすべて表示に戻す。タイトルのダブルクリックでも同じ</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Close the source that is shown</source>
+        <translation>表示中のソースを閉じます</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -629,10 +661,6 @@
         <translation>終了: パッドのフレームが古くなっています。</translation>
     </message>
     <message>
-        <source>Ended: the arm took no commands.</source>
-        <translation>終了: アームが指令を受けませんでした。</translation>
-    </message>
-    <message>
         <source>Ended: the arm took no commands: %1.</source>
         <translation>終了: アームが指令を受けませんでした: %1。</translation>
     </message>
@@ -671,6 +699,10 @@
     <message>
         <source>Ended: a joint is at the end of its range.</source>
         <translation>終了: 関節が可動範囲の端に達しました。</translation>
+    </message>
+    <message>
+        <source>Ended: the commands came too late, or the arm took none.</source>
+        <translation>終了: 指令が遅れて届いたか、アームが指令を受けませんでした。</translation>
     </message>
 </context>
 <context>
@@ -885,6 +917,19 @@
     <message>
         <source>a frame of the array has %1 numbers</source>
         <translation>配列のフレームには%1個の数があります</translation>
+    </message>
+    <message>
+        <source>the layout with which the frames were recorded</source>
+        <translation>フレームを記録したときの配置</translation>
+    </message>
+    <message>
+        <source>positions_m has the shape %1, but the layout has %2 taxels</source>
+        <translation>positions_mの形状は%1ですが、配置のタクセルは%2個です</translation>
+    </message>
+    <message>
+        <source>positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm</source>
+        <comment>a number, x, y or z, two places</comment>
+        <translation>positions_mではタクセル%1は%2 = %3 mm、配置では%4 mmです</translation>
     </message>
 </context>
 <context>
@@ -3697,10 +3742,6 @@ Examples:
         <translation>未知の物体の中のアーム</translation>
     </message>
     <message>
-        <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
-        <translation>遅い回線越しに自分で操縦するか、スクリプトによる操作者の動きを見ます。見つかった物体はそれぞれ探索シートに載ります</translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation>アーム</translation>
     </message>
@@ -3779,6 +3820,10 @@ Examples:
     <message>
         <source>It is turned about the normal, and the skin turns with it</source>
         <translation>法線まわりに回され、皮膚も一緒に回る</translation>
+    </message>
+    <message>
+        <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
+        <translation>遅い回線越しに自分で操縦するか、スクリプトの操作者が見つけていくのを見ます</translation>
     </message>
 </context>
 <context>
@@ -4719,10 +4764,6 @@ Examples:
         <translation>隣り合うタクセルの間隔 (mm)</translation>
     </message>
     <message>
-        <source>Load in N from which a taxel is in contact</source>
-        <translation>タクセルが接触とみなされる荷重 (N)</translation>
-    </message>
-    <message>
         <source>The raw values fall under load</source>
         <translation>荷重がかかると生の値が下がる</translation>
     </message>
@@ -4829,6 +4870,14 @@ Examples:
     <message>
         <source>this is for loads on a grid</source>
         <translation>これは格子上の荷重のためのものです</translation>
+    </message>
+    <message>
+        <source>the loads are in %1: write from how many %1 a taxel is in contact, such as five times the noise at rest</source>
+        <translation>荷重の単位は%1です。何%1からタクセルを接触とみなすかを書いてください (静止時の雑音の5倍など)</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in N or the unit of the file; 0.2 unless that is another one than N and counts</source>
+        <translation>タクセルが接触とみなされる荷重 (Nまたはファイルの単位)。単位がNでもカウントでもないときを除き0.2</translation>
     </message>
 </context>
 <context>
@@ -5514,10 +5563,6 @@ Examples:
         <translation>荷重の単位。既定はファイルの記述、なければアレイによりNまたはcounts</translation>
     </message>
     <message>
-        <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
-        <translation>タクセルが接触とみなされる荷重（記録の設定に書かれます）</translation>
-    </message>
-    <message>
         <source>this is for MCAP files only</source>
         <translation>これはMCAP用ですが、ファイルはMCAPではありません</translation>
     </message>
@@ -5528,6 +5573,10 @@ Examples:
     <message>
         <source>Make a recording of an MCAP file, or of the frames of another program</source>
         <translation>MCAPファイルまたは他のプログラムのフレームから記録を作る</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the recording&apos;s settings; 0.2 unless the unit is another one than N and counts</source>
+        <translation>記録の設定で、タクセルが接触とみなされる荷重。単位がNでもカウントでもないときを除き0.2</translation>
     </message>
 </context>
 <context>
@@ -6197,6 +6246,10 @@ Examples:
     <message>
         <source>The other program closed the pipe.</source>
         <translation>相手のプログラムがパイプを閉じました。</translation>
+    </message>
+    <message>
+        <source>The server has sent nothing for %1 s.</source>
+        <translation>サーバーは%1秒間何も送っていません。</translation>
     </message>
 </context>
 <context>
@@ -8953,6 +9006,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordingArgumentsText</name>
+    <message>
+        <source>the loads are in %1, a unit without a usual threshold</source>
+        <translation>荷重の単位%1には通常のしきい値がありません</translation>
+    </message>
+    <message>
+        <source>--threshold, from how many %1 a taxel is in contact</source>
+        <translation>--threshold (何%1からタクセルを接触とみなすか)</translation>
+    </message>
+</context>
+<context>
     <name>RecordingExport</name>
     <message>
         <source>another folder</source>
@@ -11068,6 +11132,10 @@ Run %2 --help for more.
         <source>an earlier program of this console still controls the site</source>
         <translation>このコンソールの以前のプログラムがまだサイトを操作しています</translation>
     </message>
+    <message>
+        <source>let go of the switch and press it again</source>
+        <translation>スイッチを離して、もう一度押してください</translation>
+    </message>
 </context>
 <context>
     <name>SiteCommandText</name>
@@ -11462,6 +11530,10 @@ Run teleta-site --help for more.
         <translation>teleta-site: %1
 詳しくは teleta-site --help を実行してください。
 </translation>
+    </message>
+    <message>
+        <source>Folder that keeps who engages STOP, for the next start; default: $STATE_DIRECTORY, otherwise ~/.local/state/teleta-site</source>
+        <translation>誰がSTOPをかけたかを次の起動のために保存するフォルダー。既定: $STATE_DIRECTORY、なければ ~/.local/state/teleta-site</translation>
     </message>
 </context>
 <context>
@@ -12226,6 +12298,17 @@ Run teleta-site --help for more.
     <message>
         <source>at most stimulus_s, %1 s</source>
         <translation>stimulus_s以下、つまり%1 s以下</translation>
+    </message>
+</context>
+<context>
+    <name>StopMemoryText</name>
+    <message>
+        <source>this does not tell who engages STOP</source>
+        <translation>誰がSTOPをかけているかが書かれていません</translation>
+    </message>
+    <message>
+        <source>version 1, site, consoles</source>
+        <translation>version 1、site、consoles</translation>
     </message>
 </context>
 <context>
@@ -18603,6 +18686,10 @@ Run teleta-site --help for more.
         <comment>simulated, short</comment>
         <translation>模擬</translation>
     </message>
+    <message>
+        <source>Frames lost: not counted by the sensor</source>
+        <translation>フレーム損失: センサーは数えません</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::FirstSteps</name>
@@ -20041,6 +20128,18 @@ Run teleta-site --help for more.
         <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
         <translation>列は番号と範囲で示します（例：2..85、2..10,12）。</translation>
     </message>
+    <message>
+        <source>0.2 N, or a count</source>
+        <translation>0.2 Nまたは1カウント</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the unit of the values</source>
+        <translation>タクセルが接触とみなされる荷重 (値の単位)</translation>
+    </message>
+    <message>
+        <source>In contact &amp;from:</source>
+        <translation>接触とみなす荷重(&amp;F):</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FramePreview</name>
@@ -21090,12 +21189,12 @@ Run teleta-site --help for more.
         <translation>マーク</translation>
     </message>
     <message>
-        <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
-        <translation>マークはありません。記録中にMでマークを付けると、そのテキストを入力できます。</translation>
-    </message>
-    <message>
         <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a mark goes there.</source>
         <translation>記録中に付けられたマークの時点です。テキストをダブルクリックするかEnterを押すと入力でき、Deleteでマークを削除、Ctrl+Zで元に戻します。再生中の記録では、マークをダブルクリックするとそこへ移動します。</translation>
+    </message>
+    <message>
+        <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
+        <translation>マークはまだありません。記録中にMでマークを付け、内容を入力します。</translation>
     </message>
 </context>
 <context>
@@ -22711,6 +22810,14 @@ Run teleta-site --help for more.
     <message>
         <source>The checksum of the file is wrong: it was damaged somewhere.</source>
         <translation>ファイルのチェックサムが誤っています: どこかが破損しています。</translation>
+    </message>
+    <message>
+        <source>the loads are in %1, a unit without a usual threshold</source>
+        <translation>荷重の単位%1には通常のしきい値がありません</translation>
+    </message>
+    <message>
+        <source>from how many %1 a taxel is in contact</source>
+        <translation>何%1からタクセルを接触とみなすか</translation>
     </message>
 </context>
 <context>
@@ -24446,6 +24553,30 @@ Run teleta-site --help for more.
     <message>
         <source>Matrices</source>
         <translation>行列</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Let the scene go on (F5)</source>
+        <translation>シーンを続行します（F5）</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Hold the scene where it is (Shift+F5)</source>
+        <translation>シーンをその状態で保持します（Shift+F5）</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>再開始</translation>
+    </message>
+    <message>
+        <source>Start the scene again (Ctrl+F5)</source>
+        <translation>シーンを最初から始めます（Ctrl+F5）</translation>
     </message>
 </context>
 <context>
@@ -26626,10 +26757,6 @@ Double-click to type the upper end.</source>
         <translation>接触に追従</translation>
     </message>
     <message>
-        <source>Keep the strongest contact in the middle</source>
-        <translation>最も強い接触を中央に保ちます</translation>
-    </message>
-    <message>
         <source>Orthographic</source>
         <translation>平行投影</translation>
     </message>
@@ -26760,6 +26887,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show what a simulated scene has around the arm</source>
         <translation>シミュレーションのシーンでアームの周りにあるものを表示します</translation>
+    </message>
+    <message>
+        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
+        <translation>最も強い接触を、何にも触れていない間はアームの手先を中央に保ちます</translation>
     </message>
 </context>
 <context>

@@ -298,6 +298,38 @@
         <source>Release control of the site</source>
         <translation>释放站点的控制权</translation>
     </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Shift with Q W E R, A S D F</source>
+        <translation>Shift 加 Q W E R、A S D F</translation>
+    </message>
+    <message>
+        <source>Move the arm, in Jog</source>
+        <translation>移动机械臂（点动）</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Show one view alone, or all again; a double click on its title does the same</source>
+        <translation>仅显示一个视图，或恢复全部；双击其标题效果相同</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Close the source that is shown</source>
+        <translation>关闭当前显示的来源</translation>
+    </message>
 </context>
 <context>
     <name>Age</name>
@@ -629,10 +661,6 @@
         <translation>已结束：触觉垫的帧过旧。</translation>
     </message>
     <message>
-        <source>Ended: the arm took no commands.</source>
-        <translation>已结束：机械臂不接受指令。</translation>
-    </message>
-    <message>
         <source>Ended: the arm took no commands: %1.</source>
         <translation>已结束：机械臂不接受指令：%1。</translation>
     </message>
@@ -671,6 +699,10 @@
     <message>
         <source>Ended: a joint is at the end of its range.</source>
         <translation>已结束：一个关节已到达其范围的极限。</translation>
+    </message>
+    <message>
+        <source>Ended: the commands came too late, or the arm took none.</source>
+        <translation>已结束：指令到达过晚，或机械臂不接受指令。</translation>
     </message>
 </context>
 <context>
@@ -885,6 +917,19 @@
     <message>
         <source>a frame of the array has %1 numbers</source>
         <translation>数组的一帧有 %1 个数</translation>
+    </message>
+    <message>
+        <source>the layout with which the frames were recorded</source>
+        <translation>记录这些帧时所用的布局</translation>
+    </message>
+    <message>
+        <source>positions_m has the shape %1, but the layout has %2 taxels</source>
+        <translation>positions_m 的形状为 %1，但布局有 %2 个触觉单元</translation>
+    </message>
+    <message>
+        <source>positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm</source>
+        <comment>a number, x, y or z, two places</comment>
+        <translation>positions_m 中触觉单元 %1 位于 %2 = %3 mm，布局中位于 %4 mm</translation>
     </message>
 </context>
 <context>
@@ -3697,10 +3742,6 @@ Examples:
         <translation>未知物体之间的机械臂</translation>
     </message>
     <message>
-        <source>Drive it yourself over a slow link, or watch the scripted operator: each object that is found goes on the run sheet</source>
-        <translation>通过慢速链路亲自操纵，或观看脚本操作者：发现的每个物体都列入物体清单</translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation>机械臂</translation>
     </message>
@@ -3779,6 +3820,10 @@ Examples:
     <message>
         <source>It is turned about the normal, and the skin turns with it</source>
         <translation>球绕法线转动，表面随之转动</translation>
+    </message>
+    <message>
+        <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
+        <translation>通过慢速链路自行操控，或观看脚本操作员逐一找到它们</translation>
     </message>
 </context>
 <context>
@@ -4719,10 +4764,6 @@ Examples:
         <translation>相邻触觉单元的间距，mm</translation>
     </message>
     <message>
-        <source>Load in N from which a taxel is in contact</source>
-        <translation>触觉单元视为接触的最小载荷，N</translation>
-    </message>
-    <message>
         <source>The raw values fall under load</source>
         <translation>原始值随载荷增大而下降</translation>
     </message>
@@ -4829,6 +4870,14 @@ Examples:
     <message>
         <source>this is for loads on a grid</source>
         <translation>此选项用于网格上的载荷</translation>
+    </message>
+    <message>
+        <source>the loads are in %1: write from how many %1 a taxel is in contact, such as five times the noise at rest</source>
+        <translation>负载的单位是 %1：请写明从多少 %1 起触觉单元算作接触，例如静止噪声的五倍</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in N or the unit of the file; 0.2 unless that is another one than N and counts</source>
+        <translation>触觉单元算作接触的起始负载，以 N 或文件的单位表示；单位为 N 或计数时为 0.2</translation>
     </message>
 </context>
 <context>
@@ -5514,10 +5563,6 @@ Examples:
         <translation>载荷的单位；默认按文件，否则按阵列为 N 或 counts</translation>
     </message>
     <message>
-        <source>Load from which a taxel is in contact, in the recording&apos;s settings</source>
-        <translation>触觉单元视为接触的载荷，写入记录的设置</translation>
-    </message>
-    <message>
         <source>this is for MCAP files only</source>
         <translation>这用于 MCAP，但该文件不是</translation>
     </message>
@@ -5528,6 +5573,10 @@ Examples:
     <message>
         <source>Make a recording of an MCAP file, or of the frames of another program</source>
         <translation>由 MCAP 文件或其他程序的帧生成记录</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the recording&apos;s settings; 0.2 unless the unit is another one than N and counts</source>
+        <translation>记录设置中触觉单元算作接触的起始负载；单位为 N 或计数时为 0.2</translation>
     </message>
 </context>
 <context>
@@ -6197,6 +6246,10 @@ Examples:
     <message>
         <source>The other program closed the pipe.</source>
         <translation>另一程序关闭了管道。</translation>
+    </message>
+    <message>
+        <source>The server has sent nothing for %1 s.</source>
+        <translation>服务器已有 %1 秒没有发送任何内容。</translation>
     </message>
 </context>
 <context>
@@ -8953,6 +9006,17 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>RecordingArgumentsText</name>
+    <message>
+        <source>the loads are in %1, a unit without a usual threshold</source>
+        <translation>负载的单位是 %1，它没有通用的阈值</translation>
+    </message>
+    <message>
+        <source>--threshold, from how many %1 a taxel is in contact</source>
+        <translation>--threshold：从多少 %1 起触觉单元算作接触</translation>
+    </message>
+</context>
+<context>
     <name>RecordingExport</name>
     <message>
         <source>another folder</source>
@@ -11068,6 +11132,10 @@ Run %2 --help for more.
         <source>an earlier program of this console still controls the site</source>
         <translation>此控制台的先前程序仍在控制站点</translation>
     </message>
+    <message>
+        <source>let go of the switch and press it again</source>
+        <translation>松开开关，再重新按下</translation>
+    </message>
 </context>
 <context>
     <name>SiteCommandText</name>
@@ -11462,6 +11530,10 @@ Run teleta-site --help for more.
         <translation>teleta-site: %1
 运行 teleta-site --help 了解更多。
 </translation>
+    </message>
+    <message>
+        <source>Folder that keeps who engages STOP, for the next start; default: $STATE_DIRECTORY, otherwise ~/.local/state/teleta-site</source>
+        <translation>为下次启动保存由谁触发 STOP 的文件夹；默认：$STATE_DIRECTORY，否则 ~/.local/state/teleta-site</translation>
     </message>
 </context>
 <context>
@@ -12226,6 +12298,17 @@ Run teleta-site --help for more.
     <message>
         <source>at most stimulus_s, %1 s</source>
         <translation>至多 stimulus_s，%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>StopMemoryText</name>
+    <message>
+        <source>this does not tell who engages STOP</source>
+        <translation>其中没有说明由谁触发 STOP</translation>
+    </message>
+    <message>
+        <source>version 1, site, consoles</source>
+        <translation>version 1、site、consoles</translation>
     </message>
 </context>
 <context>
@@ -18603,6 +18686,10 @@ Run teleta-site --help for more.
         <comment>simulated, short</comment>
         <translation>模拟</translation>
     </message>
+    <message>
+        <source>Frames lost: not counted by the sensor</source>
+        <translation>丢失的帧：传感器不计数</translation>
+    </message>
 </context>
 <context>
     <name>teleta::chrome::FirstSteps</name>
@@ -20041,6 +20128,18 @@ Run teleta-site --help for more.
         <source>Columns are numbers and ranges, such as 2..85 or 2..10,12.</source>
         <translation>列用编号和范围表示，例如 2..85 或 2..10,12。</translation>
     </message>
+    <message>
+        <source>0.2 N, or a count</source>
+        <translation>0.2 N 或一个计数</translation>
+    </message>
+    <message>
+        <source>Load from which a taxel is in contact, in the unit of the values</source>
+        <translation>触觉单元算作接触的起始负载，单位与数值相同</translation>
+    </message>
+    <message>
+        <source>In contact &amp;from:</source>
+        <translation>接触起始值(&amp;F)：</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FramePreview</name>
@@ -21090,12 +21189,12 @@ Run teleta-site --help for more.
         <translation>标记</translation>
     </message>
     <message>
-        <source>No marks. M sets one while something is recorded; its text can be typed then.</source>
-        <translation>没有标记。记录时按 M 可添加标记，随后可输入其文字。</translation>
-    </message>
-    <message>
         <source>Moments that somebody marked in the recording. Double-click a text or press Enter to type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a double click on a mark goes there.</source>
         <translation>记录中被标记的时刻。双击文字或按 Enter 可输入，Delete 删除标记，Ctrl+Z 撤销。在回放的记录中，双击标记可跳转到该处。</translation>
+    </message>
+    <message>
+        <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
+        <translation>还没有标记。记录时按 M 添加标记，然后输入其内容。</translation>
     </message>
 </context>
 <context>
@@ -22711,6 +22810,14 @@ Run teleta-site --help for more.
     <message>
         <source>The checksum of the file is wrong: it was damaged somewhere.</source>
         <translation>文件的校验和错误：文件某处已损坏。</translation>
+    </message>
+    <message>
+        <source>the loads are in %1, a unit without a usual threshold</source>
+        <translation>负载的单位是 %1，它没有通用的阈值</translation>
+    </message>
+    <message>
+        <source>from how many %1 a taxel is in contact</source>
+        <translation>从多少 %1 起触觉单元算作接触</translation>
     </message>
 </context>
 <context>
@@ -24446,6 +24553,30 @@ Run teleta-site --help for more.
     <message>
         <source>Matrices</source>
         <translation>矩阵</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Let the scene go on (F5)</source>
+        <translation>让场景继续（F5）</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Hold the scene where it is (Shift+F5)</source>
+        <translation>使场景保持在当前状态（Shift+F5）</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>Start the scene again (Ctrl+F5)</source>
+        <translation>重新开始场景（Ctrl+F5）</translation>
     </message>
 </context>
 <context>
@@ -26626,10 +26757,6 @@ Double-click to type the upper end.</source>
         <translation>跟随接触</translation>
     </message>
     <message>
-        <source>Keep the strongest contact in the middle</source>
-        <translation>使最强的接触保持在中央</translation>
-    </message>
-    <message>
         <source>Orthographic</source>
         <translation>正交</translation>
     </message>
@@ -26760,6 +26887,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show what a simulated scene has around the arm</source>
         <translation>显示仿真场景中机械臂周围的物体</translation>
+    </message>
+    <message>
+        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
+        <translation>使最强的接触保持在中央；未接触时则为机械臂的手部</translation>
     </message>
 </context>
 <context>
