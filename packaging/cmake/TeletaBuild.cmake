@@ -298,7 +298,8 @@ function(teleta_module name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
     add_library(${name} MODULE ${ARG_SOURCES})
     target_link_libraries(${name} PRIVATE teleta_options ${ARG_LINKS})
-    target_link_options(${name} PRIVATE LINKER:-z,now)
+    # The C library also where a small one calls none of it: packages are refused without.
+    target_link_options(${name} PRIVATE LINKER:-z,now LINKER:--push-state,--no-as-needed,-lc,--pop-state)
     set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
                                              LIBRARY_OUTPUT_DIRECTORY "${TELETA_PARTS_TREE}")
     install(TARGETS ${name} LIBRARY DESTINATION lib/teleta-console)
