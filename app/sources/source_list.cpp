@@ -10,6 +10,7 @@
 #include "devices/ros/camera/ros_camera_file.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QString>
 
 #include <utility>
@@ -43,8 +44,15 @@ void refuse(Keys& keys, std::string_view key, const core::Error& error) {
 }
 
 void describeScene(Keys& keys, const std::string& listPath, SceneRequest& request) {
-    describePath(keys, "scene", listPath, request.path,
-                 "Scene file, or `:/scenes/NAME.toml` for one that comes with the program");
+    std::string given;
+    keys.text("scene", given, "Scene file, or the name of one that comes with the program");
+    if (!given.empty()) {
+        request.path = besideList(listPath, given);
+        // A name is found from every folder, unless a file beside the list has it.
+        const QString named = QStringLiteral(":/scenes/%1.toml").arg(QString::fromStdString(given));
+        if (!QFileInfo(QString::fromStdString(request.path)).isFile() && QFileInfo::exists(named))
+            request.path = named.toStdString();
+    }
     keys.whole("seed", request.seed, {0}, "Seed of its random numbers", Need::optional);
 }
 

@@ -2,6 +2,7 @@
 #include "app/site/site_file.h"
 #include "tests/backend/core/temporary_folder.h"
 
+#include <QDir>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -89,6 +90,24 @@ TEST(SiteFile, leasesHaveBoundsAndDefaults) {
     EXPECT_EQ(file->times.loopLimit_ns, 500'000'000);
     const std::string error = errorOf("motion_lease_ms = 301\n" + std::string(kHead) + device);
     EXPECT_NE(error.find("site.toml:1"), std::string::npos) << error;
+}
+
+TEST(SiteFile, aSceneOfTheProgramIsFoundByItsNameFromEveryFolder) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("site.toml").toStdString();
+    const auto scene = [&] {
+        const auto file =
+            parseSite(std::string(kHead) + "[[device]]\nid = \"a\"\nscene = \"teleoperation\"\n", path);
+        return file ? std::get<app::SceneRequest>(file->devices[0].request).path
+                    : core::describe(file.error());
+    };
+    EXPECT_EQ(scene(), ":/scenes/teleoperation.toml");
+    // A folder of results is no scene, a file is.
+    ASSERT_TRUE(QDir(folder.path()).mkdir("teleoperation"));
+    EXPECT_EQ(scene(), ":/scenes/teleoperation.toml");
+    ASSERT_TRUE(QDir(folder.path()).rmdir("teleoperation"));
+    std::ofstream(folder.filePath("teleoperation").toStdString()) << "name = 'mine'\n";
+    EXPECT_EQ(scene(), folder.filePath("teleoperation").toStdString());
 }
 
 TEST(SiteFile, onlyAnArrayHasAPlaceOnAnArm) {
