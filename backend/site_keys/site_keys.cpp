@@ -13,8 +13,10 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <filesystem>
 #include <openssl/crypto.h>
 #include <openssl/x509v3.h>
+#include <system_error>
 #include <utility>
 
 namespace teleta::site_keys {
@@ -219,9 +221,11 @@ private:
 core::Expected<QDir> readableFolder(const std::string& folder) {
     const QString path = QString::fromStdString(folder);
     const QDir found(path);
-    if (!found.exists())
+    // One above it may be closed to this user.
+    std::error_code hidden;
+    if (!std::filesystem::exists(folder, hidden) && !hidden)
         return core::failed(core::ErrorKind::notFound, KeyText::tr("There is no folder %1.").arg(path));
-    if (!found.isReadable())
+    if (hidden || !found.isReadable())
         return core::failed(core::ErrorKind::ioFailed,
                             KeyText::tr("The folder %1 cannot be read.").arg(path));
     return found;

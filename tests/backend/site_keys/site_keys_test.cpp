@@ -328,6 +328,18 @@ TEST(SiteKeysOfNothing, areAnError) {
     EXPECT_FALSE(report->usable());
 }
 
+/// A folder above that is closed to this user is the usual case, which a test as root has not: a path that
+/// runs in a circle is as little known to exist or not.
+TEST(SiteKeysOfNothing, areNotSaidToBeMissingWhereNobodyKnows) {
+    const QTemporaryDir folder;
+    const QString circle = folder.filePath("circle");
+    ASSERT_TRUE(QFile::link(circle, circle));
+    const auto report = checkMember((circle + "/site").toStdString(), 0);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().kind, teleta::core::ErrorKind::ioFailed);
+    EXPECT_EQ(report.error().message, "The folder " + circle.toStdString() + "/site cannot be read.");
+}
+
 TEST(SiteKeysOfNothing, haveNoCommandsForNamesThatAShellWouldRead) {
     for (const char* name : {"", "Site", "a b", "a;b", "$(a)", "a\n", "1a"}) {
         EXPECT_FALSE(commandsFor({"keys", "lab", {name}, {}}, 0)) << name;
