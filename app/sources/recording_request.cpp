@@ -86,8 +86,10 @@ core::Expected<Opened> openGel(replay::RecordedConfig config, const recording::R
     config.camera = source.description;
     config.referenceStream = source.referenceStream;
     TELETA_TRY(auto player, replay::RecordedPlayer::open(std::move(config)));
-    return std::make_shared<pipeline::GelChannel>(std::make_unique<replay::RecordedCamera>(player),
-                                                  source.file, std::move(reference));
+    auto channel = std::make_shared<pipeline::GelChannel>(std::make_unique<replay::RecordedCamera>(player),
+                                                          source.file, std::move(reference));
+    channel->setLoads(source.loads);
+    return channel;
 }
 
 core::Expected<Opened> openSceneCamera(replay::RecordedConfig config,

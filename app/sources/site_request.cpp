@@ -76,7 +76,9 @@ openCamera(const std::shared_ptr<site_link::SiteClient>& site, const std::string
     if (site_link::isGel(stream)) {
         TELETA_TRY(auto gel, pipeline::gelOf(stream, site->file().name));
         TELETA_TRY(auto feed, RemoteCamera::open(site, device, gel.description, RemoteCamera::Sees::gel));
-        return std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(gel.file));
+        auto channel = std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(gel.file));
+        channel->setLoads(std::move(gel.loads));
+        return channel;
     }
     TELETA_TRY(auto description, pipeline::sceneCameraOf(stream, site->file().name));
     TELETA_TRY(auto source, RemoteCamera::open(site, device, std::move(description)));

@@ -18,6 +18,7 @@
 #include "backend/pipeline/touch_channel.h"
 #include "backend/scene_run/base/scene_settings.h"
 #include "backend/scene_run/camera/scene_reaction.h"
+#include "backend/scene_run/gel/gel_scene_reaction.h"
 #include "backend/scene_run/gel/scene_gel.h"
 #include "backend/simulation/arm/teleoperated_arm.h"
 #include "backend/simulation/array/simulated_array.h"
@@ -145,10 +146,16 @@ core::Expected<Opened> openTube(const scene::Scene& scene, std::uint64_t seed, c
 core::Expected<Opened> openGelScene(const scene::Scene& scene, std::uint64_t seed,
                                     const core::StopSwitch& stop) {
     auto control = std::make_shared<core::SceneControl>();
-    TELETA_TRY(auto generator, simulation::makeGelCamera(scene, seed, control));
+    const bool reacts = !std::holds_alternative<scene::NoReaction>(scene.gel().reaction);
+    auto link = reacts ? std::make_shared<simulation::CarrierLink>() : nullptr;
+    TELETA_TRY(auto generator, simulation::makeGelCamera(scene, seed, control, link));
     auto channel = std::make_shared<pipeline::GelChannel>(
         std::make_unique<simulated::SimulatedCameraDevice>(std::move(generator), stop),
         scene_run::gelFile(scene));
+    if (reacts)
+        channel->setReaction(
+            std::make_unique<scene_run::GelSceneReaction>(scene.gel(), 1.0 / scene.rate_Hz, std::move(link)),
+            stop);
     channel->setScene(std::move(control));
     return channel;
 }
@@ -179,7 +186,13 @@ core::Expected<Opened> openGel(const GelRequest& request) {
     config.channel = static_cast<camera::VideoChannel>(file.channel); // of the same order
     config.loop = request.loop;
     TELETA_TRY(auto feed, camera::CameraDevice::open(std::move(config)));
-    return std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(file));
+    std::optional<pipeline::GelLoads> loads;
+    if (!file.loads.empty()) {
+        TELETA_TRY(loads, pipeline::GelLoads::read(core::besideFile(request.path, file.loads)));
+    }
+    auto channel = std::make_shared<pipeline::GelChannel>(std::move(feed), std::move(file));
+    channel->setLoads(std::move(loads));
+    return channel;
 }
 
 bool isDescription(const SceneCameraRequest& request) {

@@ -67,7 +67,7 @@ CameraChannel::CameraChannel(std::unique_ptr<core::CameraSource> source, const v
                              std::stop_source stopping)
     : m_source(std::move(source))
     , m_camera(camera)
-    , m_stop(stop)
+    , m_permission(stop)
     , m_reaction(std::move(reaction))
     , m_settings(settings)
     , m_stopping(std::move(stopping))
@@ -150,17 +150,12 @@ void CameraChannel::renewReference() {
 }
 
 void CameraChannel::setMayReact(bool mayReact) {
-    // In this order, so that no STOP in between is missed.
-    const std::uint64_t engagements = m_stop.engagements();
-    m_permission.store(mayReact && !m_stop.engaged() ? engagements : kNoPermission,
-                       std::memory_order_release);
-    m_permissionAsked.store(true, std::memory_order_release);
+    m_permission.give(mayReact);
     m_data.notify();
 }
 
 bool CameraChannel::mayReact() const {
-    const std::uint64_t permission = m_permission.load(std::memory_order_acquire);
-    return !m_stop.engaged() && permission == m_stop.engagements();
+    return m_permission.isGiven();
 }
 
 void CameraChannel::run(const std::stop_token& stop) {
@@ -360,8 +355,7 @@ void CameraChannel::publishChanges() {
                           snapshot.refusedRung);
     };
     const auto before = shown(m_now);
-    // Who asked for a permission waits for the answer, also when it is the same as before.
-    const bool asked = m_permissionAsked.exchange(false, std::memory_order_acq_rel);
+    const bool asked = m_permission.takeAsked();
     refresh(m_now);
     if (asked || shown(m_now) != before)
         publish();

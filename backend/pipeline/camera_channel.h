@@ -12,6 +12,7 @@
 #include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/camera_snapshot.h"
 #include "backend/pipeline/channel.h"
+#include "backend/pipeline/reaction_permission.h"
 #include "backend/vision/finders/contact_ladder.h"
 
 #include <array>
@@ -149,7 +150,7 @@ private:
 
     std::unique_ptr<core::CameraSource> m_source;
     vision::CylinderCamera m_camera;
-    const core::StopSwitch& m_stop;
+    ReactionPermission m_permission;
     std::unique_ptr<CameraReaction> m_reaction;
     Settings m_settings;
     core::Wakeup m_data;
@@ -157,10 +158,6 @@ private:
     core::BoundedQueue<CameraEvent> m_events{kHistoryEvents};
     core::Mailbox<std::string> m_rungs;
     std::atomic<bool> m_referenceWanted{false};
-    static constexpr std::uint64_t kNoPermission = ~std::uint64_t{0};
-    /// How often STOP had been engaged when the arm was allowed to react.
-    std::atomic<std::uint64_t> m_permission{kNoPermission};
-    std::atomic<bool> m_permissionAsked{false};
     core::Mailbox<ReadyFinder> m_ready;
     [[nodiscard]] std::shared_ptr<const CameraTaps>
     tapsInto(const std::shared_ptr<recording::StreamSink>& sink, const std::string& name) const;

@@ -26,10 +26,10 @@ using vision::GelContactState;
 using vision::viewOf;
 
 /// In the order of GelEvent::Kind.
-constexpr std::array kGelEventWords{
-    recording::kContactBegins, recording::kIncipientSlip, recording::kSlip,
-    recording::kContactEnds,   recording::kReference,     recording::kRestart,
-    recording::kPictureDark,   recording::kLightJump,     recording::kGelTorn};
+constexpr std::array kGelEventWords{recording::kContactBegins, recording::kIncipientSlip, recording::kSlip,
+                                    recording::kContactEnds,   recording::kReference,     recording::kRestart,
+                                    recording::kPictureDark,   recording::kLightJump,     recording::kGelTorn,
+                                    recording::kBump,          recording::kFollows};
 
 std::vector<cv::Mat1b> viewsOf(const std::vector<core::GreyImage>& pictures) {
     std::vector<cv::Mat1b> views;
@@ -57,6 +57,12 @@ GelChannel::GelChannel(std::unique_ptr<core::CameraSource> source, vision::Marke
     , m_follower(m_file)
     , m_recordedRest(std::move(reference)) {
     m_description.name = m_file.name;
+}
+
+void GelChannel::setReaction(std::unique_ptr<GelReaction> reaction, const core::StopSwitch& stop) {
+    m_reaction = std::move(reaction);
+    m_permission.emplace(stop);
+    m_permission->give(true);
 }
 
 GelChannel::~GelChannel() {
@@ -88,7 +94,8 @@ std::shared_ptr<const GelTaps> GelChannel::tapsInto(const std::shared_ptr<record
     const std::string reference = name + "-reference";
     auto taps = std::make_shared<GelTaps>();
     taps->reference = sink->addStream(gelReferenceStream(reference, m_description));
-    taps->pictures = sink->addStream(gelStream(name + "-camera", m_description, m_file, reference));
+    taps->pictures = sink->addStream(gelStream(name + "-camera", m_description, m_file, reference,
+                                               m_loads ? &m_loads->calibration() : nullptr));
     taps->contacts = sink->addStream(gelContactStream(name + "-contacts", m_description));
     taps->event = [weak = std::weak_ptr<recording::StreamSink>(sink), name](const GelEvent& event,
                                                                             std::int64_t time_ns) {
@@ -118,6 +125,13 @@ void GelChannel::stop() {
     m_source->stop();
 }
 
+void GelChannel::setMayReact(bool mayReact) {
+    if (!m_permission)
+        return;
+    m_permission->give(mayReact);
+    m_data.notify();
+}
+
 void GelChannel::renewReference() {
     m_referenceWanted.store(true, std::memory_order_release);
 }
@@ -130,6 +144,10 @@ void GelChannel::run(const std::stop_token& stop) {
         takeTaps();
         core::CameraFrame next;
         bool isNext = m_source->pop(next);
+        if (!isNext) {
+            stand();
+            publishChanges();
+        }
         while (isNext && !stop.stop_requested()) {
             takeTaps(); // the queue may never be empty
             core::CameraFrame frame = std::move(next);
@@ -141,6 +159,58 @@ void GelChannel::run(const std::stop_token& stop) {
                 process(std::move(frame));
         }
     }
+    if (m_reaction)
+        m_reaction->react({}, m_time_s, 0.0, false);
+}
+
+void GelChannel::react() {
+    if (!m_reaction)
+        return;
+    if (!m_permission->isGiven() || !m_follower.usable()) {
+        stand();
+        return;
+    }
+    m_usable_ns = m_frame_ns;
+    const vision::MarkerGel& gel = m_follower.gel();
+    const int bumped =
+        m_reaction->react(m_follower.contacts(), m_time_s, gel.scale_m() * gel.noise_px(), true);
+    const CarrierReport arm = m_reaction->report();
+    const bool isFollowing = arm.doing == CarrierReport::Doing::follows;
+    const int followed = isFollowing && arm.contact != m_following ? arm.contact : 0;
+    if (isFollowing || arm.doing != CarrierReport::Doing::held || arm.contact != m_following)
+        m_following = isFollowing ? arm.contact : 0;
+    for (const GelContactState& contact : m_follower.contacts()) {
+        if (contact.id == bumped)
+            addEvent(eventOf(Kind::bumps, contact));
+        if (contact.id == followed)
+            addEvent(eventOf(Kind::follows, contact));
+    }
+}
+
+void GelChannel::stand() {
+    if (!m_reaction)
+        return;
+    if (!m_permission->isGiven())
+        m_reaction->react({}, m_time_s, 0.0, false);
+    else if (core::elapsed_s(m_usable_ns, core::steadyNow_ns()) > kLongestGap_s)
+        m_reaction->hold();
+}
+
+void GelChannel::publishChanges() {
+    if (!m_reaction || m_now.processed == 0)
+        return;
+    const CarrierReport before = m_now.carrier.value_or(CarrierReport());
+    const bool mightReact = m_now.mayReact;
+    m_now.carrier = m_reaction->report();
+    m_now.mayReact = m_permission->isGiven();
+    if (m_permission->takeAsked() || m_now.mayReact != mightReact || m_now.carrier->doing != before.doing ||
+        m_now.carrier->contact != before.contact)
+        publish();
+}
+
+void GelChannel::publish() {
+    m_snapshots.back() = m_now;
+    m_snapshots.publish();
 }
 
 void GelChannel::passOver(const core::CameraFrame& frame) {
@@ -171,6 +241,8 @@ void GelChannel::restart(const core::CameraFrame& frame) {
     m_offset_s =
         std::max(core::elapsed_s(m_first_ns, frame.time_ns), m_time_s + kLeastGelPeriod_s) - frame.capture_s;
     m_follower.forget();
+    if (m_reaction)
+        m_reaction->forget();
     if (!isFirst)
         addEvent({.kind = Kind::restart, .time_s = frame.capture_s + m_offset_s, .slipIndex = {}});
 }
@@ -205,6 +277,7 @@ void GelChannel::process(core::CameraFrame frame) {
         recordReference(frame.time_ns);
     }
     report(before, faultsBefore);
+    react();
     recordContacts(frame);
     if (!part.isEmpty())
         m_lastImage = part;
@@ -216,12 +289,18 @@ void GelChannel::process(core::CameraFrame frame) {
 }
 
 void GelChannel::publish(const core::CameraFrame& frame, std::int64_t work_ns, const std::string& why) {
-    GelSnapshot& now = m_snapshots.back();
+    GelSnapshot& now = m_now;
     now.image = m_lastImage;
     now.time_ns = frame.time_ns;
     now.time_s = m_time_s;
     now.frame = frame.number;
     now.contacts = m_follower.contacts();
+    now.loads.clear();
+    if (m_loads) {
+        now.loadNames = m_loads->calibration().loads;
+        for (const GelContactState& contact : now.contacts)
+            now.loads.push_back(m_loads->at(contact));
+    }
     if (m_follower.hasReference()) {
         const vision::MarkerGel& gel = m_follower.gel();
         now.markers = gel.markers();
@@ -245,7 +324,11 @@ void GelChannel::publish(const core::CameraFrame& frame, std::int64_t work_ns, c
     now.processed = m_processed.load(std::memory_order_relaxed);
     now.passedOver = m_passedOver;
     now.unusable = m_unusable;
-    m_snapshots.publish();
+    if (m_reaction) {
+        now.carrier = m_reaction->report();
+        now.mayReact = m_permission->isGiven();
+    }
+    publish();
 }
 
 void GelChannel::takeRecordedRest(const core::GreyImage& part) {
@@ -268,15 +351,16 @@ void GelChannel::endContacts(const std::vector<int>& ids) {
                   .slipIndex = {}});
 }
 
+GelEvent GelChannel::eventOf(GelEvent::Kind kind, const GelContactState& contact) const {
+    return {.kind = kind,
+            .time_s = m_time_s,
+            .contact = contact.id,
+            .centre_m = contact.centre_m,
+            .shear_m = contact.shearProxy_m,
+            .slipIndex = contact.slipIndex};
+}
+
 void GelChannel::report(const std::vector<int>& before, const vision::GelFaults& faultsBefore) {
-    const auto eventOf = [this](Kind kind, const GelContactState& contact) {
-        return GelEvent{.kind = kind,
-                        .time_s = m_time_s,
-                        .contact = contact.id,
-                        .centre_m = contact.centre_m,
-                        .shear_m = contact.shearProxy_m,
-                        .slipIndex = contact.slipIndex};
-    };
     const std::vector<GelContactState>& contacts = m_follower.contacts();
     std::vector<int> ended;
     std::ranges::copy_if(before, std::back_inserter(ended), [&contacts](int id) {

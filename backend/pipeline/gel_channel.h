@@ -10,6 +10,8 @@
 #include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/channel.h"
 #include "backend/pipeline/gel_snapshot.h"
+#include "backend/pipeline/reaction_permission.h"
+#include "backend/pipeline/recorded/gel_loads.h"
 #include "backend/vision/gel/gel_follower.h"
 
 #include <array>
@@ -17,9 +19,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace teleta::pipeline {
@@ -39,7 +43,8 @@ struct GelTaps {
 ///
 /// Three sides:
 /// - controlling thread: start(), stop();
-/// - viewer (one thread, the GUI's): update(), snapshot(), popEvent(), renewReference();
+/// - viewer (one thread, the GUI's): update(), snapshot(), popEvent(), renewReference(),
+///   setMayReact();
 /// - any thread: description(), status(), counters.
 class GelChannel : public Channel {
 public:
@@ -51,6 +56,10 @@ public:
     /// first pictures of the source show it.
     GelChannel(std::unique_ptr<core::CameraSource> source, vision::MarkerGelFile file,
                core::GreyImage reference = {});
+    /// Lets an arm react to contacts. Before start(). reaction: not null. stop: outlives the channel.
+    void setReaction(std::unique_ptr<GelReaction> reaction, const core::StopSwitch& stop);
+    /// How the loads of its contacts follow from them; nothing: that is not known. Before start().
+    void setLoads(std::optional<GelLoads> loads) { m_loads = std::move(loads); }
     ~GelChannel() override;
 
     /// Once. The channel's own thread is notified of its data.
@@ -84,6 +93,10 @@ public:
 
     /// The next pictures show the gel with nothing touching it.
     void renewReference();
+    /// Without a picture that can be used for so long, the arm is told to stand.
+    static constexpr double kLongestGap_s = 0.25;
+    /// As ReactionPermission::give(). Of a gel without an arm: nothing.
+    void setMayReact(bool mayReact);
 
 private:
     void run(const std::stop_token& stop);
@@ -92,8 +105,16 @@ private:
     void restart(const core::CameraFrame& frame);
     /// The picture that the file describes; empty: there is none. why: the reason.
     [[nodiscard]] core::GreyImage partOf(const core::CameraFrame& frame, std::string& why) const;
+    [[nodiscard]] GelEvent eventOf(GelEvent::Kind kind, const vision::GelContactState& contact) const;
     void report(const std::vector<int>& before, const vision::GelFaults& faultsBefore);
     void publish(const core::CameraFrame& frame, std::int64_t work_ns, const std::string& why);
+    void publish();
+    /// Of a picture that can be used.
+    void react();
+    /// Of none, or of one that cannot be used.
+    void stand();
+    /// The snapshot again, if the arm or its permission changed between two pictures.
+    void publishChanges();
     /// part: a picture with which it comes.
     void takeRecordedRest(const core::GreyImage& part);
     void endContacts(const std::vector<int>& ids);
@@ -114,12 +135,16 @@ private:
     core::LatestExchange<GelSnapshot> m_snapshots;
     core::BoundedQueue<GelEvent> m_events{kHistoryEvents};
     std::atomic<bool> m_referenceWanted{false};
+    std::optional<GelLoads> m_loads;
+    std::unique_ptr<GelReaction> m_reaction;        ///< null: no arm reacts
+    std::optional<ReactionPermission> m_permission; ///< with m_reaction
     core::LatestCopy<std::shared_ptr<const GelTaps>> m_taps;
     std::array<core::LatestCopy<std::shared_ptr<const GelTaps>>, kWatchers> m_watched;
     std::atomic<std::uint64_t> m_processed{0};
 
     // The thread's own.
     vision::GelFollower m_follower;
+    GelSnapshot m_now;
     core::RateMeter m_rate;
     core::GreyImage m_lastImage;
     std::int64_t m_first_ns = 0;
@@ -129,6 +154,8 @@ private:
     bool m_restarts = false;        ///< a frame that was passed over did not follow from the one before
     core::GreyImage m_recordedRest; ///< that is still to be taken; empty: none is
     core::GreyImage m_rest;         ///< the pictures of the one in use, as stackedReference()
+    std::int64_t m_usable_ns = 0;   ///< of the newest picture that could be used
+    int m_following = 0;            ///< contact that the arm follows, or is held from following
     std::uint64_t m_passedOver = 0;
     std::uint64_t m_unusable = 0;
     std::array<std::shared_ptr<const GelTaps>, 1 + kWatchers> m_tapsInUse; ///< the recorder's first

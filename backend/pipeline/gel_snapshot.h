@@ -2,6 +2,8 @@
 #pragma once
 
 #include "backend/core/device/camera_source.h"
+#include "backend/equilibration/load_calibration.h"
+#include "backend/pipeline/camera_snapshot.h"
 #include "backend/vision/gel/gel_contacts.h"
 #include "backend/vision/gel/marker_gel.h"
 
@@ -16,6 +18,21 @@
 
 namespace teleta::pipeline {
 
+/// Lets the arm that carries a flat gel react to contacts. Thread: one, the channel's.
+class GelReaction {
+public:
+    virtual ~GelReaction() = default;
+    /// Commands the arm. noise_m: of a marker's place. allowed: otherwise the arm is to stand still, and what
+    /// it reacted to is forgotten. A bump of this picture: the contact that was one; 0: none.
+    virtual int react(const std::vector<vision::GelContactState>& contacts, double time_s, double noise_m,
+                      bool allowed) = 0;
+    /// No pictures come that can be used: the arm stands until the next one.
+    virtual void hold() = 0;
+    /// All contacts are new.
+    virtual void forget() = 0;
+    [[nodiscard]] virtual CarrierReport report() const = 0;
+};
+
 /// What the pipeline knows of a flat gel after its newest picture. Views get it as a constant and own no
 /// truth.
 struct GelSnapshot {
@@ -27,10 +44,16 @@ struct GelSnapshot {
     std::vector<vision::GelMarker> markers;        ///< empty: the rest is not known yet
     std::vector<vision::GelMotion> motions;        ///< one a marker; of the newest picture
     std::vector<vision::GelContactState> contacts; ///< of the newest picture
+    /// Loads of each contact, where a calibration is known; otherwise none.
+    std::vector<equilibration::LoadCalibration::Loads> loads;
+    std::vector<std::string> loadNames; ///< of equilibration::kLoadColumns
     double noise_m = 0.0; ///< standard deviation of a marker's place along an axis, on the surface
     double scale_m = 0.0; ///< size of a pixel on the surface, in the middle of the picture
     /// Of the picture on the surface, as vision::MarkerGel::corners_m(); undefined without markers.
     std::array<Eigen::Vector2d, 4> corners_m{};
+
+    std::optional<CarrierReport> carrier; ///< empty: no arm reacts to this gel
+    bool mayReact = false;                ///< the arm is allowed to move
 
     std::size_t missing = 0;  ///< pictures to come before the rest can be taken; 0: none is being taken
     bool usable = false;      ///< the markers were followed into the newest picture
@@ -46,7 +69,19 @@ struct GelSnapshot {
 
 /// Something that happened to the gel.
 struct GelEvent {
-    enum class Kind { begins, incipientSlip, slip, ends, reference, restart, dark, lightJump, torn };
+    enum class Kind {
+        begins,
+        incipientSlip,
+        slip,
+        ends,
+        reference,
+        restart,
+        dark,
+        lightJump,
+        torn,
+        bumps,
+        follows
+    };
     Kind kind = Kind::begins;
     double time_s = 0.0;
     int contact = 0; ///< 0: not of a contact; the places below are undefined then

@@ -72,10 +72,27 @@ void GelBall::describeKeys(Keys& keys) {
                 });
 }
 
+void GelBumpReaction::describeKeys(Keys& keys) {
+    keys.number("spread_m_per_s", spread_mPerS, kPositive, "A contact that spreads the skin faster is a bump",
+                Need::optional);
+    keys.number("spread_m", spread_m, kPositive, "A contact that has spread it further is a bump, too",
+                Need::optional);
+    keys.number("retreat_m", retreat_m, kPositive, "How far the arm draws back", Need::optional);
+}
+
 void GelWorld::describeKeys(Keys& keys) {
     keys.table("gel", sensor, "The gel, its markers and its camera");
     keys.tables("ball", balls, 1, "Rigid balls that are pressed onto the gel",
                 [](Keys& table, std::vector<GelBall>& all, std::size_t i) { all[i].describeKeys(table); });
+    keys.table("reaction", "What the arm that carries the gel does when it is touched", Need::optional,
+               [this](Keys& table) {
+                   table.variant("kind", reaction,
+                                 {{"none", "It stays where it is"},
+                                  {"bump", "It draws back from a bump"},
+                                  {"follow", "It moves along with what touches it, in the plane of the gel"}},
+                                 "Kind of reaction");
+               });
+    keys.table("limits", limits, "Limits of the arm that carries the gel", Need::optional);
 }
 
 } // namespace teleta::scene

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/scene/camera_world.h"
 #include "backend/scene/shared_keys.h"
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace teleta::scene {
@@ -50,10 +52,24 @@ struct GelBall {
     void describeKeys(Keys& keys);
 };
 
-/// A flat gel with markers under balls.
+/// The arm that carries the gel draws back when it is bumped. A flat gel does not show how deep a contact is,
+/// but how far it spreads the skin, see vision::spreadOf_m().
+struct GelBumpReaction {
+    double spread_mPerS = 0.002; ///< a contact that spreads the skin faster is a bump
+    double spread_m = 0.00015;   ///< or one that has spread it further
+    double retreat_m = 0.01;     ///< how far it draws back
+    void describeKeys(Keys& keys);
+};
+
+/// What the arm that carries the gel does: it follows in the plane of the gel.
+using GelReaction = std::variant<NoReaction, GelBumpReaction, FollowReaction>;
+
+/// A flat gel with markers under balls, and the arm that carries it.
 struct GelWorld {
     GelSensor sensor;
     std::vector<GelBall> balls;
+    GelReaction reaction;
+    CarrierLimits limits;
     void describeKeys(Keys& keys);
 };
 

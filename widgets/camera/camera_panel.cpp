@@ -6,6 +6,7 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
+#include "widgets/camera/reaction_row.h"
 #include "widgets/camera/stage_bar.h"
 
 #include <QCheckBox>
@@ -20,8 +21,6 @@
 namespace teleta::camera {
 
 namespace {
-
-using Doing = pipeline::CarrierReport::Doing;
 
 QString nameOf(std::string_view rung) {
     return QString::fromLatin1(rung.data(), static_cast<qsizetype>(rung.size()));
@@ -66,19 +65,16 @@ CameraPanel::CameraPanel(QWidget* parent)
     , m_pause(new QToolButton(this))
     , m_arrows(new QCheckBox(this))
     , m_reference(new QPushButton(this))
-    , m_mayReact(new QCheckBox(this))
     , m_rungName(new QLabel(this))
     , m_problem(new QLabel(this))
-    , m_armLine(new QLabel(this))
+    , m_arm(new ReactionRow(this))
     , m_view(new CameraView(this))
     , m_stages(new StageBar(this)) {
     m_rungs->setObjectName(QStringLiteral("cameraRung"));
     m_pause->setObjectName(QStringLiteral("cameraPause"));
     m_arrows->setObjectName(QStringLiteral("cameraArrows"));
     m_reference->setObjectName(QStringLiteral("cameraReference"));
-    m_mayReact->setObjectName(QStringLiteral("cameraMayReact"));
     m_problem->setObjectName(QStringLiteral("problem"));
-    m_armLine->setObjectName(QStringLiteral("arm"));
     m_pause->setCheckable(true);
     m_arrows->setChecked(true);
     m_problem->setWordWrap(true);
@@ -95,17 +91,13 @@ CameraPanel::CameraPanel(QWidget* parent)
     tools->addStretch(1);
     tools->addWidget(m_reference);
     tools->addWidget(m_pause);
-    auto* arm = new QHBoxLayout;
-    arm->setSpacing(margin);
-    arm->addWidget(m_mayReact);
-    arm->addWidget(m_armLine, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(margin, margin / 2, margin, margin / 2);
     layout->setSpacing(margin / 2);
     layout->addLayout(tools);
     layout->addWidget(m_problem);
     layout->addWidget(m_view, 1);
-    layout->addLayout(arm);
+    layout->addWidget(m_arm);
     layout->addWidget(m_stages);
     setFocusProxy(m_view);
 
@@ -118,7 +110,7 @@ CameraPanel::CameraPanel(QWidget* parent)
     connect(m_view, &CameraView::exportFailed, this, &CameraPanel::exportFailed);
     connect(m_arrows, &QCheckBox::toggled, m_view, &CameraView::setArrowsShown);
     connect(m_reference, &QPushButton::clicked, this, &CameraPanel::referenceRequested);
-    connect(m_mayReact, &QCheckBox::clicked, this, &CameraPanel::mayReactChanged);
+    connect(m_arm, &ReactionRow::mayReactChanged, this, &CameraPanel::mayReactChanged);
     base::keepTranslated(this, &CameraPanel::retranslate);
     setSnapshot(nullptr);
     base::onChange(this, &CameraPanel::showTexts, {QEvent::PaletteChange});
@@ -129,9 +121,8 @@ void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double n
     m_stages->setSnapshot(snapshot, nominalRate_Hz);
     m_hasCamera = snapshot != nullptr;
     setEnabled(m_hasCamera);
-    m_carrier = snapshot != nullptr ? snapshot->carrier : std::nullopt;
-    m_mayReact->setVisible(m_carrier.has_value());
-    m_armLine->setVisible(m_carrier.has_value());
+    m_arm->set(snapshot != nullptr ? snapshot->carrier : std::nullopt,
+               snapshot != nullptr && snapshot->mayReact);
     if (snapshot == nullptr) {
         m_why.clear();
         m_whyRefused.clear();
@@ -141,8 +132,6 @@ void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double n
     } else {
         m_why = QString::fromStdString(snapshot->problem);
         m_hasReference = snapshot->hasReference;
-        const QSignalBlocker blocked(m_mayReact);
-        m_mayReact->setChecked(snapshot->mayReact);
         const QString rung = nameOf(snapshot->rung);
         m_whyRefused = QString::fromStdString(snapshot->whyRefused);
         m_nextRung = nameOf(snapshot->nextRung);
@@ -189,33 +178,6 @@ void CameraPanel::showTexts() {
     m_problem->setToolTip(problem); // where a low dock cuts it
     m_problem->setVisible(!problem.isEmpty());
     base::setTextColour(m_problem, isLost ? colours.lost : palette().color(QPalette::WindowText));
-    if (!m_carrier) {
-        m_armLine->clear();
-        return;
-    }
-    const auto show = [this](const QString& text, const QColor& colour) {
-        m_armLine->setText(text);
-        base::setTextColour(m_armLine, colour);
-    };
-    const int contact = m_carrier->contact;
-    switch (m_carrier->doing) {
-    case Doing::stands:
-        show(contact != 0 ? tr("The arm has retreated from contact %1.").arg(contact)
-                          : tr("The arm is at rest."),
-             palette().color(QPalette::WindowText));
-        break;
-    case Doing::retreats:
-        show(tr("The arm is retreating from contact %1.").arg(contact), colours.lost);
-        break;
-    case Doing::follows:
-        show(tr("The arm follows contact %1.").arg(contact), colours.live);
-        break;
-    case Doing::held:
-        show(m_mayReact->isChecked() ? tr("The arm is held.")
-                                     : tr("The arm is held. Tick the box to let it react again."),
-             colours.stale);
-        break;
-    }
 }
 
 void CameraPanel::retranslate() {
@@ -237,9 +199,6 @@ void CameraPanel::retranslate() {
     m_reference->setToolTip(tr("Take the next picture as the reference: nothing may touch the tube"));
     m_pause->setText(m_pause->isChecked() ? tr("Resume") : tr("Pause"));
     m_pause->setToolTip(tr("Freeze the picture; contacts are still tracked (Space)"));
-    m_mayReact->setText(tr("The arm may r&eact"));
-    m_mayReact->setToolTip(
-        tr("Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react."));
     showTexts();
 }
 

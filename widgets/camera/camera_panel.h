@@ -6,8 +6,6 @@
 
 #include <QWidget>
 
-#include <optional>
-
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -17,6 +15,7 @@ class QToolButton;
 namespace teleta::camera {
 
 class CameraView;
+class ReactionRow;
 class StageBar;
 
 /// The camera in the soft tube: its picture, the arm's reaction to contacts, the rung of the ladder that
@@ -52,10 +51,9 @@ private:
     QToolButton* m_pause;
     QCheckBox* m_arrows;
     QPushButton* m_reference;
-    QCheckBox* m_mayReact;
     QLabel* m_rungName;
     QLabel* m_problem;
-    QLabel* m_armLine;
+    ReactionRow* m_arm;
     CameraView* m_view;
     StageBar* m_stages;
 
@@ -65,7 +63,6 @@ private:
     QString m_whyRefused; ///< why the requested finder cannot be used
     QString m_nextRung;   ///< being prepared
     bool m_hasReference = false;
-    std::optional<pipeline::CarrierReport> m_carrier;
     QString m_wish; ///< requested rung that is not in use yet
 };
 

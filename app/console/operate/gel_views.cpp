@@ -8,6 +8,7 @@
 #include "widgets/view3d/scene/gel_words.h"
 #include "widgets/view3d/scene3d_view.h"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -19,10 +20,12 @@ namespace {
 std::vector<view3d::GelWords> wordsOf(const pipeline::GelSnapshot& snapshot) {
     using camera::GelPicture;
     std::vector<view3d::GelWords> words;
-    for (const vision::GelContactState& contact : snapshot.contacts)
+    for (std::size_t i = 0; i < snapshot.contacts.size(); ++i) {
+        const vision::GelContactState& contact = snapshot.contacts[i];
         words.push_back({GelPicture::slipText(contact),
-                         GelPicture::wordsFor(contact),
+                         GelPicture::wordsFor(snapshot, i),
                          {GelPicture::slipColour(contact, false), GelPicture::slipColour(contact, true)}});
+    }
     return words;
 }
 
@@ -36,6 +39,10 @@ GelViews::GelViews(view3d::Scene3dView& scene, QWidget* parent)
     connect(m_panel, &camera::GelPanel::referenceRequested, this, [this] {
         if (m_gel)
             m_gel->renewReference();
+    });
+    connect(m_panel, &camera::GelPanel::mayReactChanged, this, [this](bool mayReact) {
+        if (m_gel)
+            m_gel->setMayReact(mayReact);
     });
     connect(m_panel, &camera::GelPanel::exportFailed, this, &GelViews::exportFailed);
     connect(m_events, &camera::GelEventTable::exportFailed, this, &GelViews::exportFailed);

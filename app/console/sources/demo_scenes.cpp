@@ -68,6 +68,10 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
          DemoText::tr("A ring of slip grows from the rim of the contact to its middle"), camera},
         {QStringLiteral(":/scenes/gel-twist.toml"), DemoText::tr("A ball twists a flat gel"),
          DemoText::tr("It is turned about the normal, and the skin turns with it"), camera},
+        {QStringLiteral(":/scenes/gel-bump.toml"), DemoText::tr("A ball bumps into a flat gel"),
+         DemoText::tr("The arm that carries the gel draws back"), camera},
+        {QStringLiteral(":/scenes/gel-follow.toml"), DemoText::tr("A ball leads a flat gel"),
+         DemoText::tr("The arm follows a ball that drags the gel along"), camera},
     };
 }
 

@@ -2,6 +2,7 @@
 #include "backend/pipeline/recorded/recorded_gel.h"
 
 #include "backend/core/data/json_document.h"
+#include "backend/pipeline/recorded/recorded_loads.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/stream_columns.h"
 
@@ -22,6 +23,14 @@ struct RecordedGelText {
     Q_DECLARE_TR_FUNCTIONS(RecordedStreams)
 };
 
+/// Nothing: the details have no calibration, or the reader has an error.
+std::optional<GelLoads> loadsOf(core::JsonReader& reader) {
+    auto calibration = readCalibration(reader, reader.root(), GelLoads::signalNames());
+    if (!calibration)
+        return std::nullopt;
+    return GelLoads(*std::move(calibration));
+}
+
 /// Empty: the details of the stream describe no gel.
 core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recording& recording,
                                                        std::size_t stream) {
@@ -34,18 +43,20 @@ core::Expected<std::optional<RecordedGel>> recordedGel(const recording::Recordin
     if (text.empty())
         return std::optional<RecordedGel>();
     RecordedPictures pictures = readPictures(recording, stream, reader);
+    std::optional<GelLoads> loads = loadsOf(reader);
     if (reader.error())
         return notDescribed(info, recording.path(), *reader.error());
     auto file = vision::parseMarkerGel(text, recording.path());
     if (!file)
         return notDescribed(info, recording.path(), file.error());
-    return RecordedGel{std::move(pictures), std::move(*file)};
+    return RecordedGel{std::move(pictures), std::move(*file), std::move(loads)};
 }
 
 } // namespace
 
 recording::StreamInfo gelStream(const std::string& name, const core::CameraDescription& description,
-                                const vision::MarkerGelFile& file, const std::string& reference) {
+                                const vision::MarkerGelFile& file, const std::string& reference,
+                                const equilibration::LoadCalibration* loads) {
     // The pictures are cropped and flipped by now, and come from nowhere else.
     vision::MarkerGelFile recorded = file;
     recorded.source.clear();
@@ -58,6 +69,8 @@ recording::StreamInfo gelStream(const std::string& name, const core::CameraDescr
     // Of a video that was recorded again, or that a site plays.
     if (description.recorded)
         details["recorded"] = true;
+    if (loads != nullptr)
+        details["loads"] = loadsJson(*loads);
     const bool isCropped = file.crop.size() == 4;
     return {.name = name,
             .kind = recording::StreamKind::camera,
@@ -138,6 +151,7 @@ core::Expected<DescribedGel> gelOf(const recording::StreamInfo& stream, const st
                                      .recorded = reader.boolean(reader.root(), "recorded", false)},
                      .file = {}};
     const std::string text = reader.text(reader.root(), "marker_gel", {});
+    gel.loads = loadsOf(reader);
     if (reader.error())
         return notDescribed(stream, file, *reader.error());
     if (text.empty())

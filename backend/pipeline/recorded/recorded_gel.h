@@ -3,6 +3,7 @@
 
 #include "backend/core/device/camera_source.h"
 #include "backend/core/error.h"
+#include "backend/pipeline/recorded/gel_loads.h"
 #include "backend/pipeline/recorded/recorded_pictures.h"
 #include "backend/recording/recording.h"
 #include "backend/recording/recording_types.h"
@@ -24,11 +25,11 @@ namespace teleta::pipeline {
 inline constexpr std::size_t kGelContactValues = 9;
 
 /// Pictures of a gel, cropped and flipped, with its file. name: of the stream; reference: of that of its
-/// references.
+/// references. loads: how the loads of its contacts follow from them; null: not known.
 [[nodiscard]] recording::StreamInfo gelStream(const std::string& name,
                                               const core::CameraDescription& description,
-                                              const vision::MarkerGelFile& file,
-                                              const std::string& reference);
+                                              const vision::MarkerGelFile& file, const std::string& reference,
+                                              const equilibration::LoadCalibration* loads = nullptr);
 /// Pictures of the gel at rest, as stackedReference(), from which its markers' places are found until the
 /// next one comes.
 [[nodiscard]] recording::StreamInfo gelReferenceStream(const std::string& name,
@@ -50,6 +51,7 @@ inline constexpr std::size_t kGelContactValues = 9;
 struct DescribedGel {
     core::CameraDescription description;
     vision::MarkerGelFile file;
+    std::optional<GelLoads> loads = {};
 };
 
 /// The inverse of gelStream(); the pictures come from somewhere else than a recording. file: named in errors.
@@ -60,6 +62,7 @@ struct DescribedGel {
 /// A gel of a recording.
 struct RecordedGel : RecordedPictures {
     vision::MarkerGelFile file;
+    std::optional<GelLoads> loads = {};
 };
 
 /// Every gel of a recording, in its order; one without a picture and one that is not described are left out.

@@ -83,17 +83,16 @@ ordered_json loadsJson(const LoadCalibration& calibration) {
             {"scatter", listOf(calibration.scatter)}};
 }
 
-std::optional<FrameLoads> readLoads(core::JsonReader& reader, const ordered_json& details,
-                                    const core::TaxelLayout& layout, const std::string& loadUnit) {
+std::optional<LoadCalibration> readCalibration(core::JsonReader& reader, const ordered_json& details,
+                                               const std::vector<std::string>& known) {
     const ordered_json* json = reader.find(details, "loads");
     if (json == nullptr)
         return std::nullopt;
     const auto list = [&](const char* key, std::size_t size, double lowest) {
         return readColumn(reader, reader.member(*json, key), size, lowest);
     };
-    LoadCalibration calibration{
-        .loads = readNames(reader, *json, "names", equilibration::kLoadColumns),
-        .channels = readNames(reader, *json, "signals", FrameLoads::signalsOf(layout, loadUnit))};
+    LoadCalibration calibration{.loads = readNames(reader, *json, "names", equilibration::kLoadColumns),
+                                .channels = readNames(reader, *json, "signals", known)};
     const std::size_t loads = calibration.loads.size();
     const std::size_t channels = calibration.channels.size();
     calibration.gain = readRows(reader, *json, "gain", loads, channels, -kGreatestGain);
@@ -106,7 +105,15 @@ std::optional<FrameLoads> readLoads(core::JsonReader& reader, const ordered_json
         reader.fail(*json, RecordedLoadsText::tr("least is above greatest"), {});
     if (reader.error())
         return std::nullopt;
-    return FrameLoads(std::move(calibration), layout, loadUnit);
+    return calibration;
+}
+
+std::optional<FrameLoads> readLoads(core::JsonReader& reader, const ordered_json& details,
+                                    const core::TaxelLayout& layout, const std::string& loadUnit) {
+    auto calibration = readCalibration(reader, details, FrameLoads::signalsOf(layout, loadUnit));
+    if (!calibration)
+        return std::nullopt;
+    return FrameLoads(*std::move(calibration), layout, loadUnit);
 }
 
 } // namespace teleta::pipeline

@@ -10,15 +10,22 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace teleta::pipeline {
 
-// How the calibration that gives the loads of an array is recorded: in the details of its stream, as
+// How the calibration that gives the loads of an array, or of a flat gel, is recorded: in the details of its
+// stream, as
 //   "loads": {"names": [..], "signals": [..], "gain": [[a row a load]], "gain_se": [[..]],
 //             "rest": [..], "least": [..], "greatest": [..], "scatter": [..]}
 // so that whoever has the frames has their loads as well, with a tare of their own. Thread: any (pure).
 
 [[nodiscard]] nlohmann::ordered_json loadsJson(const equilibration::LoadCalibration& calibration);
+
+/// A calibration in these details, of these known signals; nothing: as readLoads().
+[[nodiscard]] std::optional<equilibration::LoadCalibration>
+readCalibration(core::JsonReader& reader, const nlohmann::ordered_json& details,
+                const std::vector<std::string>& known);
 
 /// The calibration of these details, for the array that they describe; nothing: they have none, or the reader
 /// has an error: a member is missing or has another type; a load is not of equilibration::kLoadColumns, or a

@@ -8,6 +8,13 @@
 
 namespace teleta::scene_run {
 
+double brakingSpeed_mPerS(double left_m, const scene::CarrierLimits& limits, double period_s) {
+    const double brake_mPerS2 = 0.8 * limits.acceleration_mPerS2;
+    return std::min(limits.speed_mPerS, std::sqrt(std::pow(brake_mPerS2 * period_s, 2) +
+                                                  2.0 * brake_mPerS2 * std::max(left_m, 0.0)) -
+                                            brake_mPerS2 * period_s);
+}
+
 simulation::TubeVelocity ReactingArm::decide(const std::vector<vision::FollowedContact>& contacts,
                                              const std::optional<vision::BumpDetector::Bump>& bump,
                                              const simulation::TubePose& pose) {
@@ -18,14 +25,7 @@ simulation::TubeVelocity ReactingArm::decide(const std::vector<vision::FollowedC
         if (m_retreat) {
             const double left_m =
                 reaction->retreat_m - (pose.aside_m - m_retreat->from_m).dot(m_retreat->direction);
-            // As fast as it can still brake after another period: v^2 / 2a + v T = left, with some of its
-            // acceleration to spare.
-            const double brake_mPerS2 = 0.8 * m_world.limits.acceleration_mPerS2;
-            const double speed_mPerS =
-                std::min(m_world.limits.speed_mPerS, std::sqrt(std::pow(brake_mPerS2 * m_period_s, 2) +
-                                                               2.0 * brake_mPerS2 * std::max(left_m, 0.0)) -
-                                                         brake_mPerS2 * m_period_s);
-            asked.aside_mPerS = m_retreat->direction * speed_mPerS;
+            asked.aside_mPerS = m_retreat->direction * brakingSpeed_mPerS(left_m, m_world.limits, m_period_s);
         }
     }
     if (const auto* reaction = std::get_if<scene::FollowReaction>(&m_world.reaction)) {

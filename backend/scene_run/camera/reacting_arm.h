@@ -9,6 +9,10 @@
 
 namespace teleta::scene_run {
 
+/// As fast as an arm can still brake after another period before it has gone so far: v^2 / 2a + v T = left,
+/// with a fifth of its acceleration to spare. Thread: any (pure).
+[[nodiscard]] double brakingSpeed_mPerS(double left_m, const scene::CarrierLimits& limits, double period_s);
+
 /// Turns what the tracker sees into what the arm is asked to do: draw back after a bump, follow the oldest
 /// contact. Thread: one.
 class ReactingArm {

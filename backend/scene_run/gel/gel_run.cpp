@@ -6,6 +6,7 @@
 #include "backend/recording/event_words.h"
 #include "backend/scene_run/base/run_csv.h"
 #include "backend/scene_run/base/scene_recording.h"
+#include "backend/scene_run/gel/gel_scene_reaction.h"
 #include "backend/scene_run/gel/scene_gel.h"
 #include "backend/simulation/camera/gel/gel_stage.h"
 #include "backend/vision/gel/gel_contact_rows.h"
@@ -21,6 +22,7 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace teleta::scene_run {
@@ -38,11 +40,14 @@ constexpr std::uint64_t kPicturesBetweenReports = 8;
 constexpr double kLeastGelDepth_m = 0.0002;
 constexpr double kLeastDrag_m = 0.0001;
 
-/// markers.csv, contacts.csv and truth.csv, or nothing without a folder.
+/// markers.csv, contacts.csv and truth.csv, of an arm that reacts arm.csv, or nothing without a folder.
 class GelLog {
 public:
-    [[nodiscard]] static core::Expected<GelLog> open(const std::string& folder) {
+    [[nodiscard]] static core::Expected<GelLog> open(const std::string& folder, bool reacts) {
         GelLog log;
+        if (reacts) {
+            TELETA_TRY(log.m_arm, RunCsv::open(folder, "arm.csv", "time_s,along_m,aside_x_m,aside_y_m"));
+        }
         if (!folder.empty()) {
             TELETA_TRY(log.m_markers,
                        core::CsvWriter::create(folder + "/markers.csv", vision::kMarkerColumns));
@@ -68,9 +73,14 @@ public:
                         truth.radius_m, truth.drag_m.x(), truth.drag_m.y(), truth.turn_rad, truth.slipShare);
     }
 
+    void addArm(double time_s, const simulation::TubePose& pose) {
+        m_arm.row(time_s, pose.along_m, pose.aside_m);
+    }
+
     /// A full disk is reported at once, not at the end of a long run.
     [[nodiscard]] bool failed() const {
-        return (m_markers && m_markers->failed()) || (m_contacts && m_contacts->failed()) || m_truth.failed();
+        return (m_markers && m_markers->failed()) || (m_contacts && m_contacts->failed()) ||
+               m_truth.failed() || m_arm.failed();
     }
 
     [[nodiscard]] core::Expected<void> finish() {
@@ -78,12 +88,13 @@ public:
             TELETA_CHECK(m_markers->finish());
         if (m_contacts)
             TELETA_CHECK(m_contacts->finish());
+        TELETA_CHECK(m_arm.finish());
         return m_truth.finish();
     }
 
 private:
     std::optional<core::CsvWriter> m_markers, m_contacts;
-    RunCsv m_truth;
+    RunCsv m_truth, m_arm;
 };
 
 /// Compares what was found with what is true, picture by picture.
@@ -184,6 +195,63 @@ private:
     std::optional<double> m_incipient_s, m_slip_s, m_trueIncipient_s, m_trueSlip_s;
 };
 
+/// What the arm does, against what the ball does.
+class ReactionMeasures {
+public:
+    ReactionMeasures(const scene::GelWorld& world, double period_s)
+        : m_world(world)
+        , m_period_s(period_s) {}
+
+    void add(double time_s, const simulation::GelStage& stage, const ReactingGel& arm) {
+        const simulation::GelBallTruth& ball = stage.truth().front();
+        if (const auto* bump = std::get_if<scene::GelBumpReaction>(&m_world.reaction)) {
+            const double radius_m = m_world.balls.front().radius_m;
+            const double spread_m =
+                ball.touches ? m_world.balls.front().spreadPerDepth * ball.radius_m * ball.radius_m / radius_m
+                             : 0.0;
+            if (spread_m > bump->spread_m || spread_m - m_spread_m > bump->spread_mPerS * m_period_s)
+                takeFirst(m_bump_s, time_s - m_period_s);
+            m_spread_m = spread_m;
+            if (arm.stopped())
+                takeFirst(m_stop_s, time_s);
+            m_deepest_m = std::max(m_deepest_m, ball.radius_m * ball.radius_m / radius_m);
+        }
+        if (!ball.touches)
+            return;
+        if (!m_touched)
+            m_start_m = stage.arm().pose().aside_m;
+        m_touched = true;
+        m_lag_m = ball.drag_m.norm();
+        m_way_m = (stage.arm().pose().aside_m - m_start_m).norm();
+    }
+
+    void report(nlohmann::ordered_json& measures) const {
+        if (std::holds_alternative<scene::GelBumpReaction>(m_world.reaction)) {
+            const bool early = std::isfinite(m_stop_s) && !(m_stop_s > m_bump_s);
+            measures["bump_to_stop_s"] = early ? nullptr : jsonNumber(m_stop_s - m_bump_s);
+            measures["stopped_without_bump"] = early ? 1 : 0;
+            measures["deepest_m"] = m_deepest_m;
+        } else {
+            measures["followed_m"] = m_way_m;
+            measures["follow_error_m"] = m_lag_m;
+        }
+    }
+
+private:
+    static void takeFirst(double& first_s, double time_s) {
+        if (std::isnan(first_s))
+            first_s = time_s;
+    }
+
+    const scene::GelWorld& m_world;
+    double m_period_s;
+    double m_spread_m = 0.0, m_deepest_m = 0.0, m_lag_m = 0.0, m_way_m = 0.0;
+    double m_bump_s = std::numeric_limits<double>::quiet_NaN(); ///< until there is one
+    double m_stop_s = std::numeric_limits<double>::quiet_NaN();
+    bool m_touched = false;
+    Eigen::Vector2d m_start_m = Eigen::Vector2d::Zero();
+};
+
 void addEvents(double time_s, const std::vector<int>& before, const std::vector<GelContactState>& contacts,
                nlohmann::ordered_json& events) {
     const auto add = [&](const char* event, int contact) {
@@ -208,7 +276,8 @@ core::Expected<SceneSummary> runGelScene(const scene::Scene& scene, const RunOpt
     TELETA_TRY(const auto stage, simulation::GelStage::make(scene, options.seed));
     const vision::MarkerGelFile file = gelFile(scene);
     vision::GelFollower follower(file);
-    TELETA_TRY(GelLog log, GelLog::open(options.outFolder));
+    const bool reacts = !std::holds_alternative<scene::NoReaction>(scene.gel().reaction);
+    TELETA_TRY(GelLog log, GelLog::open(options.outFolder, reacts));
     TELETA_TRY(SceneRecording recording, SceneRecording::open(options, scene));
     if (recording.isOpen())
         recording.beginGel(
@@ -218,13 +287,16 @@ core::Expected<SceneSummary> runGelScene(const scene::Scene& scene, const RunOpt
     const auto pictures = static_cast<std::uint64_t>(std::llround(duration_s * scene.rate_Hz));
     SceneSummary summary;
     GelMeasures measures(scene.gel());
+    ReactingGel arm(scene.gel(), 1.0 / scene.rate_Hz);
+    ReactionMeasures reaction(scene.gel(), 1.0 / scene.rate_Hz);
+    simulation::TubeVelocity asked;
     std::uint64_t done = 0;
     for (; done < pictures; ++done) {
         summary.interrupted = options.endsAt(done, kPicturesBetweenReports, stage->time_s(), duration_s);
         if (summary.interrupted)
             break;
         cv::Mat1b picture;
-        stage->next(picture);
+        stage->next(asked, picture);
         const double time_s = stage->time_s();
         const std::size_t references = follower.references();
         std::vector<int> before;
@@ -242,6 +314,18 @@ core::Expected<SceneSummary> runGelScene(const scene::Scene& scene, const RunOpt
             for (const GelContactState& contact : follower.contacts())
                 recording.addGelContact(time_s, contact);
         }
+        if (reacts && follower.usable()) {
+            const vision::MarkerGel& gel = follower.gel();
+            asked =
+                arm.decide(follower.contacts(), time_s, gel.scale_m() * gel.noise_px(), stage->arm().pose());
+            if (arm.bump() != 0)
+                summary.events.push_back(
+                    {{"time_s", time_s}, {"event", recording::kBump}, {"contact", arm.bump()}});
+        }
+        if (reacts) {
+            reaction.add(time_s, *stage, arm);
+            log.addArm(time_s, stage->arm().pose());
+        }
         if (log.failed())
             break;
     }
@@ -256,6 +340,8 @@ core::Expected<SceneSummary> runGelScene(const scene::Scene& scene, const RunOpt
                                  .arg(QString::fromStdString(follower.problem())));
     summary.simulated_s = stage->time_s();
     measures.report(summary.measures);
+    if (reacts)
+        reaction.report(summary.measures);
     summary.measures["frames"] = done;
     return summary;
 }

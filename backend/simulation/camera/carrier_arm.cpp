@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace teleta::simulation {
 
@@ -25,6 +26,36 @@ void CarrierArm::step(const TubeVelocity& asked, double dt_s) {
     m_pose.turn_rad += m_velocity.turn_radPerS * dt_s;
     m_pose.along_m += m_velocity.along_mPerS * dt_s;
     m_pose.aside_m += m_velocity.aside_mPerS * dt_s;
+}
+
+CommandedCarrier::CommandedCarrier(std::shared_ptr<CarrierLink> link, double rate_Hz)
+    : m_link(std::move(link))
+    , m_commandFrames(std::max(1, static_cast<int>(std::ceil(kCarrierCommand_s * rate_Hz)))) {
+}
+
+TubeVelocity CommandedCarrier::next(bool held) {
+    const auto asked = m_link->asked.take();
+    if (held) {
+        m_commandAge = m_commandFrames;
+    } else if (asked) {
+        m_asked = *asked;
+        m_commandAge = 0;
+    } else if (m_commandAge < m_commandFrames) {
+        ++m_commandAge;
+    }
+    return m_commandAge < m_commandFrames ? m_asked : TubeVelocity();
+}
+
+void CommandedCarrier::restart() {
+    m_asked = {};
+    (void)m_link->asked.take();
+    m_commandAge = m_commandFrames;
+    ++m_restarts;
+}
+
+void CommandedCarrier::tell(const TubePose& pose, bool held) {
+    m_link->state.set(
+        {.pose = pose, .held = held || m_commandAge >= m_commandFrames, .restarts = m_restarts});
 }
 
 } // namespace teleta::simulation

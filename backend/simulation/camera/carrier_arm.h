@@ -8,8 +8,14 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 
 namespace teleta::simulation {
+
+/// A command moves the carrier for so long; then the arm brakes until it is commanded again.
+inline constexpr double kCarrierCommand_s = 0.1;
+/// How long a scene that has come to its end stands before it begins anew.
+inline constexpr double kCarrierPause_s = 1.0;
 
 /// Where the tube is: turned about its axis, moved along it and aside, from where it started.
 struct TubePose {
@@ -54,6 +60,28 @@ struct CarrierState {
 struct CarrierLink {
     core::Mailbox<TubeVelocity> asked;
     core::LatestCopy<CarrierState> state;
+};
+
+/// What the arm does about what comes over its link. Thread: the camera's worker.
+class CommandedCarrier {
+public:
+    /// link: not null.
+    CommandedCarrier(std::shared_ptr<CarrierLink> link, double rate_Hz);
+
+    /// The velocity for the next frame: a command acts for kCarrierCommand_s. What is asked for while the arm
+    /// is held does not move it once it is free again.
+    [[nodiscard]] TubeVelocity next(bool held);
+    /// The world begins anew: what was asked for before was asked of the arm as it stood then.
+    void restart();
+    /// Tells where the arm is.
+    void tell(const TubePose& pose, bool held);
+
+private:
+    std::shared_ptr<CarrierLink> m_link;
+    int m_commandFrames;
+    TubeVelocity m_asked;
+    int m_commandAge = 0; ///< frames since the newest command
+    std::uint64_t m_restarts = 0;
 };
 
 } // namespace teleta::simulation

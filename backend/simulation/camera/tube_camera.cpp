@@ -18,10 +18,9 @@ public:
     TubeCameraGenerator(const scene::Scene& scene, std::unique_ptr<SimulatedTube> tube,
                         std::shared_ptr<CarrierLink> link, std::shared_ptr<core::SceneControl> control)
         : m_tube(std::move(tube))
-        , m_link(std::move(link))
+        , m_carrier(std::move(link), scene.rate_Hz)
         , m_control(std::move(control))
         , m_end_s(scene.duration_s + kCarrierPause_s)
-        , m_commandFrames(std::max(1, static_cast<int>(std::ceil(kCarrierCommand_s * scene.rate_Hz))))
         , m_description{.name = scene.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true} {}
 
     [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
@@ -33,20 +32,14 @@ public:
         const bool anew = asked || (!held && m_tube->time_s() >= m_end_s);
         if (anew) {
             m_tube->restart();
-            m_asked = {};
-            // It was asked of the arm as it stood before.
-            (void)m_link->asked.take();
-            m_commandAge = m_commandFrames;
-            ++m_restarts;
+            m_carrier.restart();
         }
         if (!m_started)
             m_tube->untouched(frame);
         else
-            move(frame, held);
+            m_tube->next(m_carrier.next(held), frame);
         m_started = true;
-        m_link->state.set({.pose = m_tube->arm().pose(),
-                           .held = held || m_commandAge >= m_commandFrames,
-                           .restarts = m_restarts});
+        m_carrier.tell(m_tube->arm().pose(), held);
         image = core::greyImageOf(std::move(frame));
         ++m_frames;
         return anew;
@@ -57,30 +50,12 @@ public:
     }
 
 private:
-    void move(cv::Mat1b& frame, bool held) {
-        auto asked = m_link->asked.take();
-        if (held) {
-            // What was asked for before is not to move the arm once it is free again.
-            m_commandAge = m_commandFrames;
-        } else if (asked) {
-            m_asked = *asked;
-            m_commandAge = 0;
-        } else if (m_commandAge < m_commandFrames) {
-            ++m_commandAge;
-        }
-        m_tube->next(m_commandAge < m_commandFrames ? m_asked : TubeVelocity(), frame);
-    }
-
     std::unique_ptr<SimulatedTube> m_tube;
-    std::shared_ptr<CarrierLink> m_link;
+    CommandedCarrier m_carrier;
     std::shared_ptr<core::SceneControl> m_control; ///< null: nobody's
     double m_end_s;
-    int m_commandFrames;
     core::CameraDescription m_description;
-    TubeVelocity m_asked;
-    int m_commandAge = 0; ///< frames since the newest command
     bool m_started = false;
-    std::uint64_t m_restarts = 0;
     std::uint64_t m_frames = 0;
 };
 

@@ -13,11 +13,6 @@
 
 namespace teleta::simulation {
 
-/// A command moves the carrier for so long; then the arm brakes until it is commanded again.
-inline constexpr double kCarrierCommand_s = 0.1;
-/// How long a scene that has come to its end stands before it begins anew.
-inline constexpr double kCarrierPause_s = 1.0;
-
 /// The camera of a scene with a soft tube, and the arm that carries it as somebody else commands it by the
 /// link. The first frame shows the tube untouched. When the scene has come to its end it begins anew, but not
 /// while it is held; also when control asks for it, which holds it as STOP does. Deterministic while nobody

@@ -113,6 +113,10 @@ void MarkerGelFile::describeKeys(core::Keys& keys, core::Need needOfPlane) {
                     inner.whole("rows", rows, {2, 1000}, "Rows of markers, along v");
                     inner.whole("columns", columns, {2, 1000}, "Markers in a row, along u");
                 });
+    keys.text(
+        "loads", loads,
+        "Calibration that `teleta loads fit` has written: each contact has its loads in N with their errors",
+        core::Need::optional);
     keys.table("plane", "From the picture to the gel's surface: one of mm_per_px, homography and pitch_mm",
                needOfPlane, [this](core::Keys& inner) { describePlane(inner, plane); });
     keys.table("lens", lens, "The lens, in pixels of the cropped and flipped picture",

@@ -44,6 +44,7 @@ struct MarkerGelFile {
         double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0, k3 = 0.0;
     };
     std::optional<Lens> lens;
+    std::string loads; ///< file with which loads in N follow from contacts; empty: none
 
     void describeKeys(core::Keys& keys) { describeKeys(keys, core::Need::required); }
     void describeKeys(core::Keys& keys, core::Need needOfPlane);
@@ -54,7 +55,7 @@ struct MarkerGelFile {
 /// The same, where [plane] may be absent or empty: it is about to be found.
 [[nodiscard]] core::Expected<MarkerGelFile> readMarkerGelWithoutPlane(const std::string& path);
 [[nodiscard]] core::Expected<MarkerGelFile> parseMarkerGel(std::string_view text, const std::string& file);
-/// As TOML, which parseMarkerGel() reads back. Thread: any (pure).
+/// As TOML, without `loads`, which parseMarkerGel() reads back. Thread: any (pure).
 [[nodiscard]] std::string markerGelText(const MarkerGelFile& gel);
 
 } // namespace teleta::vision

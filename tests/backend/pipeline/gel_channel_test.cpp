@@ -92,6 +92,46 @@ public:
     std::vector<recording::RecordingEvent> events;
 };
 
+/// Remembers what it was told, and takes each contact for a bump once.
+class ToldReaction : public pipeline::GelReaction {
+public:
+    struct Told {
+        int reactions = 0, refusals = 0, holds = 0, forgets = 0;
+        std::size_t contacts = 0;
+    };
+    explicit ToldReaction(core::LatestCopy<Told>& told)
+        : m_out(told) {}
+
+    int react(const std::vector<vision::GelContactState>& contacts, double /*time_s*/, double /*noise_m*/,
+              bool allowed) override {
+        ++(allowed ? m_told.reactions : m_told.refusals);
+        m_told.contacts = contacts.size();
+        m_out.set(m_told);
+        const bool isNew = allowed && !contacts.empty() && contacts.front().id != m_bumped;
+        m_doing = !allowed           ? pipeline::CarrierReport::Doing::held
+                  : contacts.empty() ? pipeline::CarrierReport::Doing::stands
+                                     : pipeline::CarrierReport::Doing::retreats;
+        if (isNew)
+            m_bumped = contacts.front().id;
+        return isNew ? m_bumped : 0;
+    }
+    void hold() override {
+        ++m_told.holds;
+        m_doing = pipeline::CarrierReport::Doing::held;
+        m_out.set(m_told);
+    }
+    void forget() override { ++m_told.forgets; }
+    [[nodiscard]] pipeline::CarrierReport report() const override {
+        return {.doing = m_doing, .contact = m_bumped};
+    }
+
+private:
+    core::LatestCopy<Told>& m_out;
+    Told m_told;
+    pipeline::CarrierReport::Doing m_doing = pipeline::CarrierReport::Doing::stands;
+    int m_bumped = 0;
+};
+
 class LiveGel : public testing::Test {
 protected:
     void SetUp() override { open(gelFile()); }
@@ -99,7 +139,19 @@ protected:
         auto source = std::make_unique<ScriptedCamera>();
         m_camera = source.get();
         m_channel = std::make_shared<GelChannel>(std::move(source), file, m_rest);
+        m_channel->setLoads(m_loads);
+        if (m_reacts)
+            m_channel->setReaction(std::make_unique<ToldReaction>(m_told), m_stop);
         m_channel->start();
+    }
+    /// Waits for a snapshot of which this holds.
+    template <typename Condition>
+    [[nodiscard]] bool comesTo(Condition condition) {
+        for (int i = 0; i < 20'000 && !condition(snapshot()); ++i) {
+            std::this_thread::sleep_for(1ms);
+            m_channel->update();
+        }
+        return condition(snapshot());
     }
     [[nodiscard]] core::GreyImage drawn(const std::optional<GelContact>& contact) {
         std::vector<Eigen::Vector2d> places = m_renderer.rest_px();
@@ -141,12 +193,79 @@ protected:
     std::vector<GelEvent> m_events;
     double m_capture_s = 0.0;
     core::GreyImage m_rest; ///< with which the channel begins
+    std::optional<pipeline::GelLoads> m_loads;
+    bool m_reacts = false;
+    core::StopSwitch m_stop;
+    core::LatestCopy<ToldReaction::Told> m_told;
 };
 
 const GelContact kDragged{
     .centre_m = {160.0, 120.0}, .radius_m = 70.0, .slip_m = {8.0, 0.0}, .stick = 0.70710678};
 
 } // namespace
+
+TEST_F(LiveGel, aCalibrationGivesLoadsInNewtonsAndIsRecorded) {
+    // 2 N per mm of shear beyond 0.1 mm, found with shears of up to 0.2 mm.
+    equilibration::LoadCalibration calibration{.loads = {"shear_x_n"}, .channels = {"shear_proxy_x_m"}};
+    calibration.gain = Eigen::MatrixXd::Constant(1, 1, 2000.0);
+    calibration.error = Eigen::MatrixXd::Constant(1, 1, 10.0);
+    calibration.rest = Eigen::VectorXd::Constant(1, 0.0001);
+    calibration.least = Eigen::VectorXd::Constant(1, 0.0);
+    calibration.greatest = Eigen::VectorXd::Constant(1, 0.0002);
+    calibration.scatter = Eigen::VectorXd::Constant(1, 0.05);
+    m_channel->stop();
+    m_loads.emplace(calibration);
+    open(gelFile());
+    const auto sink = std::make_shared<Sink>();
+    m_channel->watch(pipeline::Watcher::liveView, sink, "finger");
+    show({}, kRest + 1);
+    show(kDragged, 2);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    ASSERT_EQ(snapshot().loads.size(), 1U);
+    const double past_m = snapshot().contacts[0].shearProxy_m.x() - 0.0001;
+    EXPECT_NEAR(snapshot().loads[0].loads[0], 2000.0 * past_m, 1e-12);
+    EXPECT_NEAR(snapshot().loads[0].errors[0], std::hypot(0.05, 10.0 * past_m), 1e-12);
+    EXPECT_TRUE(snapshot().loads[0].extrapolated) << past_m;
+    EXPECT_EQ(snapshot().loadNames, calibration.loads);
+    // Who has the pictures has the calibration.
+    ASSERT_EQ(sink->infos.size(), 3U);
+    const auto gel = pipeline::gelOf(sink->infos[1], "recording");
+    ASSERT_TRUE(gel) << core::describe(gel.error());
+    ASSERT_TRUE(gel->loads);
+    EXPECT_EQ(gel->loads->calibration().channels, calibration.channels);
+    EXPECT_EQ(gel->loads->calibration().gain, calibration.gain);
+}
+
+TEST_F(LiveGel, anArmReactsUntilStopTakesThePermissionAway) {
+    using Doing = pipeline::CarrierReport::Doing;
+    EXPECT_FALSE(snapshot().carrier.has_value());
+    m_reacts = true;
+    m_channel->stop();
+    open(gelFile());
+    show({}, kRest + 1);
+    ASSERT_TRUE(snapshot().carrier);
+    EXPECT_TRUE(snapshot().mayReact);
+    show(kDragged, 2);
+    EXPECT_EQ(snapshot().carrier->doing, Doing::retreats);
+    EXPECT_EQ(eventsOf(GelEvent::Kind::bumps), 1);
+
+    m_stop.engage();
+    EXPECT_TRUE(comesTo([](const auto& now) { return !now.mayReact; }));
+    EXPECT_TRUE(comesTo([](const auto& now) { return now.carrier->doing == Doing::held; }));
+    m_channel->setMayReact(true);
+    show(kDragged);
+    EXPECT_FALSE(snapshot().mayReact) << "STOP is engaged";
+    m_stop.release();
+    EXPECT_FALSE(snapshot().mayReact) << "its end gives no permission";
+    m_channel->setMayReact(true);
+    EXPECT_TRUE(comesTo([](const auto& now) { return now.mayReact; }));
+    const int before = m_told.get().reactions;
+    show(kDragged);
+    EXPECT_EQ(m_told.get().reactions, before + 1);
+    // No pictures come any more.
+    EXPECT_TRUE(comesTo([](const auto& now) { return now.carrier->doing == Doing::held; }));
+    EXPECT_GT(m_told.get().holds, 0);
+}
 
 TEST_F(LiveGel, takesItsRestThenTellsTheContactsThatBeginAndEnd) {
     show();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -70,6 +71,21 @@ TEST(GelRun, tellsTheTurnOfABallThatTwists) {
     EXPECT_LT(run["slip_index_error"].get<double>(), 0.1);
     EXPECT_TRUE(run["incipient_slip_s"].is_null());
     EXPECT_TRUE(run["slip_s"].is_null());
+}
+
+TEST(GelRun, anArmDrawsTheGelBackFromABump) {
+    const auto run = measuresOf("gel-bump");
+    EXPECT_EQ(run["stopped_without_bump"], 0);
+    ASSERT_TRUE(run["bump_to_stop_s"].is_number());
+    EXPECT_LE(run["bump_to_stop_s"].get<double>(), 0.051) << "three pictures";
+    EXPECT_LT(run["deepest_m"].get<double>(), 0.002) << "half of what the ball would press";
+}
+
+TEST(GelRun, anArmFollowsWhatDragsTheGel) {
+    const auto run = measuresOf("gel-follow");
+    // The ball goes 12 mm along x and 6 mm along y.
+    EXPECT_NEAR(run["followed_m"].get<double>(), std::hypot(0.012, 0.006), 0.001);
+    EXPECT_LT(run["follow_error_m"].get<double>(), 0.001);
 }
 
 TEST(GelRun, writesItsFilesAndARecording) {

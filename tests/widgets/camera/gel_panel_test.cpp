@@ -144,6 +144,21 @@ private slots:
         QCOMPARE(asked.count(), 2);
     }
 
+    void loadsOfACalibrationAreToldWithTheirErrors() {
+        pipeline::GelSnapshot snapshot = test::sampleGel();
+        QVERIFY(GelPicture::loadTexts(snapshot, 0).isEmpty());
+        snapshot.loadNames = {"force_n", "moment_nm"};
+        snapshot.loads.resize(snapshot.contacts.size());
+        snapshot.loads[0].loads = Eigen::Vector2d(1.25, 0.003);
+        snapshot.loads[0].errors = Eigen::Vector2d(0.05, 0.0002);
+        QCOMPARE(GelPicture::loadTexts(snapshot, 0),
+                 (QStringList{QString::fromUtf8("load 1.250 \u00b1 0.050\u00a0N"),
+                              QString::fromUtf8("moment 3.00 \u00b1 0.20\u00a0mNm")}));
+        snapshot.loads[0].extrapolated = true;
+        QVERIFY(GelPicture::wordsFor(snapshot, 0)
+                    .contains(QString::fromUtf8("load 1.250 \u00b1 0.050\u00a0N, extrapolated")));
+    }
+
     void whatIsWrongIsTold() {
         GelPanel panel;
         auto* problem = panel.findChild<QLabel*>("problem");
@@ -160,6 +175,25 @@ private slots:
         QVERIFY2(problem->text().contains(QStringLiteral("3 more picture")), qPrintable(problem->text()));
         const QString counts = panel.findChild<QLabel*>("gelCounts")->text();
         QVERIFY2(counts.startsWith(QStringLiteral("8 of 9 markers")), qPrintable(counts));
+    }
+
+    void anArmThatReactsIsToldAndAllowed() {
+        GelPanel panel;
+        pipeline::GelSnapshot snapshot = test::sampleGel();
+        panel.setSnapshot(&snapshot);
+        auto* box = panel.findChild<QCheckBox*>("cameraMayReact");
+        auto* line = panel.findChild<QLabel*>("arm");
+        QVERIFY2(!box->isVisibleTo(&panel), "no arm carries this gel");
+        snapshot.carrier =
+            pipeline::CarrierReport{.doing = pipeline::CarrierReport::Doing::retreats, .contact = 2};
+        snapshot.mayReact = true;
+        panel.setSnapshot(&snapshot);
+        QVERIFY(box->isVisibleTo(&panel));
+        QVERIFY(box->isChecked());
+        QCOMPARE(line->text(), QStringLiteral("The arm is retreating from contact 2."));
+        QSignalSpy asked(&panel, &GelPanel::mayReactChanged);
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(5, box->height() / 2));
+        QCOMPARE(asked, (QList<QVariantList>{{false}}));
     }
 
     void aFrozenPictureStays() {

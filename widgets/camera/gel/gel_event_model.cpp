@@ -29,8 +29,8 @@ QVariant lengthCell(const GelEvent& happened, double length_m) {
 }
 
 /// Names in files, by kind.
-constexpr std::array kNames{"begin",   "incipient_slip", "slip",       "end",     "reference",
-                            "restart", "picture_dark",   "light_jump", "gel_torn"};
+constexpr std::array kNames{"begin",        "incipient_slip", "slip",     "end",  "reference", "restart",
+                            "picture_dark", "light_jump",     "gel_torn", "bump", "follow"};
 
 } // namespace
 
@@ -66,7 +66,7 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid())
         return {};
     const GelEvent& happened = m_events[static_cast<std::size_t>(index.row())];
-    const bool slips = happened.kind == Kind::slip;
+    const bool slips = happened.kind == Kind::slip || happened.kind == Kind::bumps;
     const bool begins = happened.kind == Kind::incipientSlip;
     if (role == Qt::TextAlignmentRole)
         return alignmentOf(index.column());
@@ -81,10 +81,17 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
     case time:
         return base::fixedDigits(happened.time_s, 3);
     case event: {
-        static constexpr std::array kTexts{
-            QT_TR_NOOP("touched"),         QT_TR_NOOP("incipient slip"), QT_TR_NOOP("SLIP"),
-            QT_TR_NOOP("released"),        QT_TR_NOOP("rest taken"),     QT_TR_NOOP("restarted"),
-            QT_TR_NOOP("picture is dark"), QT_TR_NOOP("light jumped"),   QT_TR_NOOP("gel torn?")};
+        static constexpr std::array kTexts{QT_TR_NOOP("touched"),
+                                           QT_TR_NOOP("incipient slip"),
+                                           QT_TR_NOOP("SLIP"),
+                                           QT_TR_NOOP("released"),
+                                           QT_TR_NOOP("rest taken"),
+                                           QT_TR_NOOP("restarted"),
+                                           QT_TR_NOOP("picture is dark"),
+                                           QT_TR_NOOP("light jumped"),
+                                           QT_TR_NOOP("gel torn?"),
+                                           QT_TR_NOOP("BUMP"),
+                                           QT_TR_NOOP("arm follows")};
         return tr(kTexts[static_cast<std::size_t>(happened.kind)]);
     }
     case contact:

@@ -5,6 +5,7 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/gel/gel_view.h"
+#include "widgets/camera/reaction_row.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,6 +29,7 @@ GelPanel::GelPanel(QWidget* parent)
     , m_pause(new QToolButton(this))
     , m_problem(new QLabel(this))
     , m_counts(new QLabel(this))
+    , m_arm(new ReactionRow(this))
     , m_view(new GelView(this)) {
     m_arrows->setObjectName(QStringLiteral("gelArrows"));
     m_enlargement->setObjectName(QStringLiteral("gelEnlargement"));
@@ -59,12 +61,14 @@ GelPanel::GelPanel(QWidget* parent)
     layout->addLayout(tools);
     layout->addWidget(m_problem);
     layout->addWidget(m_view, 1);
+    layout->addWidget(m_arm);
     layout->addWidget(m_counts);
     setFocusProxy(m_view);
 
     connect(m_arrows, &QCheckBox::toggled, m_view, &GelView::setArrowsShown);
     connect(m_enlargement, &QComboBox::currentIndexChanged, this,
             [this] { m_view->setEnlargement(m_enlargement->currentData().toDouble()); });
+    connect(m_arm, &ReactionRow::mayReactChanged, this, &GelPanel::mayReactChanged);
     connect(m_reference, &QPushButton::clicked, this, &GelPanel::referenceRequested);
     connect(m_view, &GelView::referenceRequested, this, &GelPanel::referenceRequested);
     connect(m_pause, &QToolButton::toggled, this, &GelPanel::setPaused);
@@ -79,6 +83,7 @@ void GelPanel::setSnapshot(const pipeline::GelSnapshot* snapshot) {
     m_view->setSnapshot(snapshot);
     m_hasGel = snapshot != nullptr;
     setEnabled(m_hasGel);
+    m_arm->set(m_hasGel ? snapshot->carrier : std::nullopt, m_hasGel && snapshot->mayReact);
     if (snapshot == nullptr) {
         m_why.clear();
         m_work_ms.update(std::nullopt);

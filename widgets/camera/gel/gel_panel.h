@@ -20,6 +20,7 @@ class QToolButton;
 namespace teleta::camera {
 
 class GelView;
+class ReactionRow;
 
 /// A flat gel with markers: its picture, what is wrong with it, and the button that takes the gel at rest
 /// anew. Requests are signals. Thread: GUI.
@@ -40,6 +41,7 @@ public slots:
 
 signals:
     void referenceRequested();
+    void mayReactChanged(bool mayReact);
     void exportFailed(const QString& message);
 
 private:
@@ -54,6 +56,7 @@ private:
     QToolButton* m_pause;
     QLabel* m_problem;
     QLabel* m_counts;
+    ReactionRow* m_arm;
     GelView* m_view;
 
     // From the newest snapshot.

@@ -4,7 +4,9 @@
 #include "backend/vision/gel/marker_rows.h"
 #include "backend/vision/gel/slip_monitor.h"
 #include "widgets/base/colour_maps.h"
+#include "widgets/base/numbers/moment_unit.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/steady_estimate.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/picture_marks.h"
 
@@ -134,6 +136,38 @@ QString GelPicture::wordsFor(const GelContactState& contact) {
     return lines.join(QLatin1Char('\n'));
 }
 
+QString GelPicture::wordsFor(const pipeline::GelSnapshot& snapshot, std::size_t contact) {
+    return (QStringList(wordsFor(snapshot.contacts[contact])) + loadTexts(snapshot, contact))
+        .join(QLatin1Char('\n'));
+}
+
+QStringList GelPicture::loadTexts(const pipeline::GelSnapshot& snapshot, std::size_t contact) {
+    static constexpr std::array kNames{QT_TR_NOOP("load %1"), QT_TR_NOOP("shear along x %1"),
+                                       QT_TR_NOOP("shear along y %1"), QT_TR_NOOP("moment %1")};
+    static_assert(kNames.size() == equilibration::kLoadColumns.size());
+    QStringList texts;
+    if (contact >= snapshot.loads.size())
+        return texts;
+    const auto& [loads, errors, extrapolated] = snapshot.loads[contact];
+    for (std::size_t i = 0; i < snapshot.loadNames.size(); ++i) {
+        const auto known = std::ranges::find(equilibration::kLoadColumns, snapshot.loadNames[i]);
+        if (known == equilibration::kLoadColumns.end())
+            continue;
+        const double load = loads[static_cast<Eigen::Index>(i)];
+        const double error = errors[static_cast<Eigen::Index>(i)];
+        const base::MomentUnit unit = *known == "moment_nm"
+                                          ? base::momentUnit(std::fmax(std::abs(load), error))
+                                          : base::MomentUnit{1.0, QStringLiteral("N")};
+        base::SteadyEstimate estimate;
+        estimate.update(unit.perNm * load, unit.perNm * error);
+        texts << tr(kNames.at(static_cast<std::size_t>(known - equilibration::kLoadColumns.begin())))
+                     .arg(base::withUnit(estimate.text().trimmed(), unit.name));
+        if (extrapolated)
+            texts.back() += QStringLiteral(", ") + tr("extrapolated", "loads");
+    }
+    return texts;
+}
+
 GelPicture::Legend GelPicture::legend(const QSizeF& size) const {
     if (isEmpty() || !(shown.scale_m > 0.0))
         return {};
@@ -215,7 +249,8 @@ void GelPicture::paintArrows(QPainter& painter, const QSizeF& size) const {
 void GelPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
     const QFontMetricsF metrics(font);
     const QFont large = base::sized(font, 1.2);
-    for (const GelContactState& contact : shown.contacts) {
+    for (std::size_t i = 0; i < shown.contacts.size(); ++i) {
+        const GelContactState& contact = shown.contacts[i];
         const QColor colour = base::identityColour(std::max(1, contact.id), true);
         const QPolygonF outline = outlineOf(contact, size);
         painter.setBrush(Qt::NoBrush);
@@ -223,16 +258,19 @@ void GelPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
         painter.drawPolygon(outline);
         painter.setPen(QPen(colour, 2.2));
         painter.drawPolygon(outline);
-        // Number and slip side by side on labelled boxes: bare digits are hard to read on the markers.
+        // Number, slip and load side by side on labelled boxes: bare digits are hard to read on the markers.
         const QString number = QString::number(contact.id);
         const QString slip = slipText(contact);
         painter.setFont(large);
         const QSizeF numberSize = base::badgeSize(large, number);
         const QSizeF slipSize = base::badgeSize(large, slip);
         const double gap = 0.2 * metrics.height();
+        const QString load = loadTexts(shown, i).value(0);
+        const QSizeF loadSize = load.isEmpty() ? QSizeF() : base::badgeSize(large, load);
+        const double loadWidth = load.isEmpty() ? 0.0 : gap + loadSize.width();
         const QRectF box = outline.boundingRect();
         QRectF labels(QPointF(box.left(), box.top() - numberSize.height() - gap),
-                      QSizeF(numberSize.width() + gap + slipSize.width(), numberSize.height()));
+                      QSizeF(numberSize.width() + gap + slipSize.width() + loadWidth, numberSize.height()));
         labels.moveLeft(std::clamp(labels.left(), 2.0, std::max(2.0, size.width() - labels.width() - 2.0)));
         labels.moveTop(std::max(labels.top(), 2.0));
         const QRectF rim = labels.adjusted(-1.5, -1.5, 1.5, 1.5);
@@ -240,8 +278,11 @@ void GelPicture::paintContacts(QPainter& painter, const QSizeF& size) const {
         painter.setBrush(kRim);
         painter.drawRoundedRect(rim, 0.2 * rim.height(), 0.2 * rim.height());
         base::paintBadge(painter, {labels.topLeft(), numberSize}, number, colour);
-        base::paintBadge(painter, {labels.topRight() - QPointF(slipSize.width(), 0.0), slipSize}, slip,
-                         slipColour(contact));
+        const QPointF slipAt = labels.topLeft() + QPointF(numberSize.width() + gap, 0.0);
+        base::paintBadge(painter, {slipAt, slipSize}, slip, slipColour(contact));
+        if (!load.isEmpty())
+            base::paintBadge(painter, {slipAt + QPointF(slipSize.width() + gap, 0.0), loadSize}, load,
+                             base::statusColours(base::designedPalette(true)).neutral);
         painter.setFont(font);
     }
 }

@@ -12,6 +12,9 @@
 #include <QPolygonF>
 #include <QRectF>
 #include <QString>
+#include <QStringList>
+
+#include <cstddef>
 
 class QPainter;
 
@@ -41,6 +44,11 @@ public:
     /// Index of the contact at a point; -1: none.
     [[nodiscard]] int contactAt(const QPointF& point, const QSizeF& size) const;
     [[nodiscard]] static QString wordsFor(const vision::GelContactState& contact);
+    /// What is known of a contact, line by line: wordsFor(), and its loads.
+    [[nodiscard]] static QString wordsFor(const pipeline::GelSnapshot& snapshot, std::size_t contact);
+    /// "1.25 ± 0.05 N" of each load of a contact, with its name; what is beyond the presses is marked. Empty
+    /// without a calibration.
+    [[nodiscard]] static QStringList loadTexts(const pipeline::GelSnapshot& snapshot, std::size_t contact);
     /// "slip 0.42", or that the index is not known.
     [[nodiscard]] static QString slipText(const vision::GelContactState& contact);
     /// Of a slip index; over the picture, as on a dark ground.

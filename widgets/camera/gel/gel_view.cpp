@@ -46,8 +46,7 @@ base::Figure GelView::figure() {
 
 QString GelView::toolTipAt(const QPointF& point) const {
     const int contact = m_picture.contactAt(point, QSizeF(size()));
-    return contact < 0 ? QString()
-                       : GelPicture::wordsFor(m_picture.shown.contacts[static_cast<std::size_t>(contact)]);
+    return contact < 0 ? QString() : GelPicture::wordsFor(m_picture.shown, static_cast<std::size_t>(contact));
 }
 
 void GelView::keyPressEvent(QKeyEvent* event) {

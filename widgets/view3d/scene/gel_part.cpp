@@ -134,10 +134,13 @@ bool GelPart::set(const pipeline::GelSnapshot& snapshot, double enlargement,
         m_pitch_m = pitch_m;
         m_size_m = (corners_m[2] - corners_m[0]).norm();
         m_spreadRange = base::CalmRange(kGelLeastSpread * pitch_m * pitch_m);
-        m_X_World_Sensor.translation() = -raised(0.5 * (corners_m[0] + corners_m[2]), 0.0);
-        setMatrix(*m_pose, m_X_World_Sensor);
         rebuildBody();
     }
+    // An arm carries it from where it was at the start.
+    m_X_World_Sensor.translation() = -raised(0.5 * (corners_m[0] + corners_m[2]), 0.0);
+    if (snapshot.carrier)
+        m_X_World_Sensor.translation() += snapshot.carrier->X_Base_Sensor.translation();
+    setMatrix(*m_pose, m_X_World_Sensor);
     double most_m2 = 0.0;
     for (const vision::GelContactState& contact : snapshot.contacts)
         if (std::isfinite(contact.normalProxy_m2))

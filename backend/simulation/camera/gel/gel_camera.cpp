@@ -3,6 +3,7 @@
 
 #include "backend/simulation/camera/gel/gel_stage.h"
 
+#include <optional>
 #include <utility>
 
 namespace teleta::simulation {
@@ -12,11 +13,14 @@ namespace {
 class GelCameraGenerator : public core::CameraGenerator {
 public:
     GelCameraGenerator(const scene::Scene& scene, std::unique_ptr<GelStage> stage,
-                       std::shared_ptr<core::SceneControl> control)
+                       std::shared_ptr<core::SceneControl> control, std::shared_ptr<CarrierLink> link)
         : m_stage(std::move(stage))
         , m_control(std::move(control))
-        , m_end_s(scene.duration_s)
-        , m_description{.name = scene.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true} {}
+        , m_end_s(scene.duration_s + (link ? kCarrierPause_s : 0.0))
+        , m_description{.name = scene.name, .nominalRate_Hz = scene.rate_Hz, .simulated = true} {
+        if (link)
+            m_carrier.emplace(std::move(link), scene.rate_Hz);
+    }
 
     [[nodiscard]] const core::CameraDescription& description() const override { return m_description; }
 
@@ -25,12 +29,18 @@ public:
         held = held || (m_control && m_control->isHeld());
         const bool anew = asked || (!held && m_stage->time_s() >= m_end_s);
         cv::Mat1b picture;
-        if (anew)
+        if (anew) {
             m_stage->restart();
-        if (held || anew)
+            if (m_carrier)
+                m_carrier->restart();
+        }
+        // While it is held, an arm brakes under balls that move on; without one all stands still.
+        if (anew || (held && !m_carrier))
             m_stage->again(picture);
         else
-            m_stage->next(picture);
+            m_stage->next(m_carrier ? m_carrier->next(held) : TubeVelocity(), picture);
+        if (m_carrier)
+            m_carrier->tell(m_stage->arm().pose(), held);
         image = core::greyImageOf(std::move(picture));
         ++m_frames;
         return anew;
@@ -43,6 +53,7 @@ public:
 private:
     std::unique_ptr<GelStage> m_stage;
     std::shared_ptr<core::SceneControl> m_control; ///< null: nobody's
+    std::optional<CommandedCarrier> m_carrier;     ///< empty: nobody commands the arm
     double m_end_s;
     core::CameraDescription m_description;
     std::uint64_t m_frames = 0;
@@ -51,9 +62,10 @@ private:
 } // namespace
 
 core::Expected<std::unique_ptr<core::CameraGenerator>>
-makeGelCamera(const scene::Scene& scene, std::uint64_t seed, std::shared_ptr<core::SceneControl> control) {
+makeGelCamera(const scene::Scene& scene, std::uint64_t seed, std::shared_ptr<core::SceneControl> control,
+              std::shared_ptr<CarrierLink> link) {
     TELETA_TRY(auto stage, GelStage::make(scene, seed));
-    return std::make_unique<GelCameraGenerator>(scene, std::move(stage), std::move(control));
+    return std::make_unique<GelCameraGenerator>(scene, std::move(stage), std::move(control), std::move(link));
 }
 
 } // namespace teleta::simulation

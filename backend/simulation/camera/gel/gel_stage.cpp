@@ -47,13 +47,14 @@ struct PressedBall {
     GelBallTruth truth;
 };
 
-PressedBall pressed(const scene::GelBall& ball, const Pose& pose) {
+/// met_m: where the arm was when the ball met the gel.
+PressedBall pressed(const scene::GelBall& ball, const Pose& pose, const Eigen::Vector2d& met_m) {
     PressedBall result;
     GelBallTruth& truth = result.truth;
     truth.name = ball.name;
     truth.drag_m = {pose.x_m, pose.y_m};
     truth.turn_rad = pose.angle_rad;
-    truth.centre_m = {ball.x_m, ball.y_m};
+    truth.centre_m = Eigen::Vector2d(ball.x_m, ball.y_m) - met_m;
     if (!(pose.depth_m > 0.0))
         return result;
     truth.touches = true;
@@ -83,7 +84,9 @@ core::Expected<std::unique_ptr<GelStage>> GelStage::make(const scene::Scene& sce
 GelStage::GelStage(const scene::GelWorld& world, double rate_Hz, std::uint64_t seed)
     : m_world(world)
     , m_rate_Hz(rate_Hz)
-    , m_renderer(gelOf(world.sensor, seed)) {
+    , m_renderer(gelOf(world.sensor, seed))
+    , m_arm(world.limits)
+    , m_met_m(world.balls.size(), Eigen::Vector2d::Zero()) {
     for (const scene::GelBall& ball : m_world.balls)
         m_motions.push_back(motionOf(ball));
     place();
@@ -93,7 +96,13 @@ void GelStage::place() {
     m_truth.clear();
     std::vector<GelContact> contacts;
     for (std::size_t i = 0; i < m_motions.size(); ++i) {
-        PressedBall ball = pressed(m_world.balls[i], m_motions[i].at(time_s()));
+        Pose pose = m_motions[i].at(time_s());
+        pose.depth_m -= m_arm.pose().along_m;
+        if (!(pose.depth_m > 0.0))
+            m_met_m[i] = m_arm.pose().aside_m;
+        pose.x_m -= m_arm.pose().aside_m.x() - m_met_m[i].x();
+        pose.y_m -= m_arm.pose().aside_m.y() - m_met_m[i].y();
+        PressedBall ball = pressed(m_world.balls[i], pose, m_met_m[i]);
         if (ball.truth.touches)
             contacts.push_back(ball.field);
         m_truth.push_back(std::move(ball.truth));
@@ -107,8 +116,9 @@ void GelStage::place() {
     }
 }
 
-void GelStage::next(cv::Mat1b& picture) {
+void GelStage::next(const TubeVelocity& asked, cv::Mat1b& picture) {
     ++m_picture;
+    m_arm.step(asked, 1.0 / m_rate_Hz);
     place();
     again(picture);
 }
@@ -119,6 +129,7 @@ void GelStage::again(cv::Mat1b& picture) {
 
 void GelStage::restart() {
     m_picture = 0;
+    m_arm = CarrierArm(m_world.limits);
     place();
 }
 

@@ -4,6 +4,7 @@
 #include "backend/core/error.h"
 #include "backend/scene/scene.h"
 #include "backend/simulation/array/keyframe_motion.h"
+#include "backend/simulation/camera/carrier_arm.h"
 #include "backend/simulation/camera/gel/gel_field.h"
 #include "backend/simulation/camera/gel/gel_renderer.h"
 
@@ -33,22 +34,27 @@ struct GelBallTruth {
 ///   until then c / a = sqrt(1 - drag / U), afterwards the contact moves on with the ball.
 /// These are Hertz, Cattaneo and Mindlin for a rigid ball on a half space with Poisson's number 0 (Johnson,
 /// Contact Mechanics, 4.2 and 7.2). A ball that is dragged back has no memory of how it came: the skin is as
-/// if it had been dragged straight to where it is. Deterministic. Thread: one.
+/// if it had been dragged straight to where it is. The arm moves the gel under the balls: away from them they
+/// are less deep, aside they have been dragged less. Deterministic. Thread: one.
 class GelStage {
 public:
     /// Error: badInput when the scene is not valid or not of a gel.
     [[nodiscard]] static core::Expected<std::unique_ptr<GelStage>> make(const scene::Scene& scene,
                                                                         std::uint64_t seed);
 
-    /// Moves on by one picture, and takes it.
-    void next(cv::Mat1b& picture);
+    /// Moves on by one picture, the arm that carries the gel with this velocity asked for, and takes it.
+    /// Along: away from the balls; aside: in the plane of the gel.
+    void next(const TubeVelocity& asked, cv::Mat1b& picture);
+    /// The same with an arm that stands.
+    void next(cv::Mat1b& picture) { next({}, picture); }
     /// A picture as it is; moves nothing.
     void again(cv::Mat1b& picture);
-    /// Begins anew: the balls are where they were at the start. Noise goes on.
+    /// Begins anew: balls and arm are where they were at the start. Noise goes on.
     void restart();
 
     [[nodiscard]] double time_s() const { return static_cast<double>(m_picture) / m_rate_Hz; }
-    /// Of the newest picture.
+    [[nodiscard]] const CarrierArm& arm() const { return m_arm; }
+    /// Of the newest picture, on the gel.
     [[nodiscard]] const std::vector<GelBallTruth>& truth() const { return m_truth; }
     /// Where each marker truly is in it, in the order of rows, and where it was printed.
     [[nodiscard]] const std::vector<Eigen::Vector2d>& places_px() const { return m_places_px; }
@@ -62,6 +68,8 @@ private:
     double m_rate_Hz;
     GelRenderer m_renderer;
     std::vector<KeyframeMotion> m_motions;
+    CarrierArm m_arm;
+    std::vector<Eigen::Vector2d> m_met_m; ///< where the arm was when each ball met the gel
     std::vector<GelBallTruth> m_truth;
     std::vector<Eigen::Vector2d> m_places_px;
     std::uint64_t m_picture = 0;

@@ -87,6 +87,38 @@ TEST(GelStage, theSkinUnderATwistedBallTurnsWithIt) {
     EXPECT_NEAR(std::atan2(to_px.y(), to_px.x()) - std::atan2(from_px.y(), from_px.x()), 0.1, 1e-9);
 }
 
+TEST(GelStage, anArmMovesTheGelUnderTheBall) {
+    const auto made = GelStage::make(dragged(0.0), 1);
+    ASSERT_TRUE(made);
+    GelStage& stage = **made;
+    cv::Mat1b picture;
+    for (int i = 0; i < 10; ++i)
+        stage.next(picture);
+    // Aside it is as if the ball were dragged the other way; all slips from 0.8 mm on.
+    while (stage.arm().pose().aside_m.x() < 0.0004)
+        stage.next({.aside_mPerS = {0.004, 0.0}}, picture);
+    EXPECT_NEAR(stage.truth()[0].drag_m.x(), -stage.arm().pose().aside_m.x(), 1e-15);
+    EXPECT_NEAR(stage.truth()[0].slipShare, stage.arm().pose().aside_m.x() / 0.0008, 1e-12);
+    EXPECT_EQ(stage.truth()[0].centre_m, Eigen::Vector2d(0.016, 0.012));
+    // Away from the ball it is pressed less, and not at all in the end.
+    for (int i = 0; i < 2; ++i)
+        stage.next({.along_mPerS = 0.004}, picture);
+    const double away_m = stage.arm().pose().along_m;
+    ASSERT_GT(away_m, 0.0);
+    EXPECT_NEAR(stage.truth()[0].radius_m, std::sqrt(0.025 * (0.0016 - away_m)), 1e-12);
+    for (int i = 0; i < 20; ++i)
+        stage.next({.along_mPerS = 0.004}, picture);
+    EXPECT_FALSE(stage.truth()[0].touches);
+    // Then the ball meets the gel where the arm has brought it.
+    const double aside_m = stage.arm().pose().aside_m.x();
+    while (!stage.truth()[0].touches)
+        stage.next({.along_mPerS = -0.004}, picture);
+    EXPECT_NEAR(stage.truth()[0].centre_m.x(), 0.016 - aside_m, 1e-12);
+    EXPECT_EQ(stage.truth()[0].drag_m.norm(), 0.0);
+    stage.restart();
+    EXPECT_EQ(stage.arm().pose().along_m, 0.0);
+}
+
 TEST(GelStage, isDeterministicAndRefusesOtherScenes) {
     cv::Mat1b first, second;
     const auto one = GelStage::make(dragged(0.0004), 3);
@@ -113,6 +145,26 @@ TEST(GelCamera, startsAnewAtTheEndAndStandsStillWhileHeld) {
     EXPECT_FALSE(camera.next(image, false));
     EXPECT_EQ(image.width_px, 320);
     EXPECT_NEAR(camera.time_s(), 23.0 / 20.0, 1e-12);
+}
+
+TEST(GelCamera, theArmMovesWhileItIsCommandedAndBrakesWhileItIsHeld) {
+    auto link = std::make_shared<CarrierLink>();
+    const auto made = makeGelCamera(dragged(0.0004), 1, nullptr, link);
+    ASSERT_TRUE(made);
+    core::GreyImage image;
+    for (int i = 0; i < 5; ++i) {
+        link->asked.post({.along_mPerS = 0.05});
+        (void)(*made)->next(image, false);
+    }
+    const double moved_m = link->state.get().pose.along_m;
+    EXPECT_GT(moved_m, 0.005);
+    EXPECT_FALSE(link->state.get().held);
+    link->asked.post({.along_mPerS = 0.05});
+    (void)(*made)->next(image, true); // 5 m/s^2 brake 0.05 m/s in 10 ms
+    EXPECT_TRUE(link->state.get().held);
+    EXPECT_NEAR(link->state.get().pose.along_m, moved_m, 1e-12);
+    (void)(*made)->next(image, false);
+    EXPECT_NEAR(link->state.get().pose.along_m, moved_m, 1e-12) << "what was asked before moves nothing";
 }
 
 } // namespace teleta::simulation
