@@ -78,11 +78,21 @@ std::optional<double> growthAcross(std::span<const ContactPlace> places,
     return solver.solve(right).z();
 }
 
+/// Side of the square that is as large as the skin of one marker: the pitch, but p sqrt(sqrt(3) / 2) where
+/// most markers that have all their neighbours have six, as on a grid of triangles, and not eight.
+double sideOfMarker_m(const MarkerGel& gel) {
+    const auto with = [&gel](std::size_t neighbours) {
+        return std::ranges::count(gel.neighbours(), neighbours, &std::vector<std::size_t>::size);
+    };
+    constexpr double kOfTriangles = 0.930604859102; // sqrt(sqrt(3) / 2)
+    return gel.scale_m() * gel.pitch_px() * (with(6) > with(8) ? kOfTriangles : 1.0);
+}
+
 } // namespace
 
 const std::vector<GelContactState>& GelContacts::next(const MarkerGel& gel) {
     m_noise_m = gel.scale_m() * std::max(kHiddenNoise_px, gel.noise_px());
-    m_pitch_m = gel.scale_m() * gel.pitch_px();
+    m_pitch_m = sideOfMarker_m(gel);
     markerStrains(gel.markers(), gel.motions(), gel.neighbours(), m_strains);
     const std::vector<SkinPatch> patches = findPatches(gel);
     const Eigen::Vector2d outside_m = movedOutside_m(gel);

@@ -43,6 +43,24 @@ public:
 
 } // namespace
 
+TEST(GelContacts, aMarkerHasTheSkinOfItsCell) {
+    for (const bool hexagonal : {false, true}) {
+        SimulatedGel gel{.hexagonal = hexagonal, .pitch_px = 20.0, .diameter_px = 7.0};
+        gel.rows = 11;
+        gel.columns = 14;
+        Watched watched(gel);
+        ASSERT_TRUE(watched.followed.isMade());
+        const auto& contacts =
+            watched.show({{.centre_m = {160.0, 120.0}, .radius_m = 60.0, .spread_m = 4.0}});
+        ASSERT_EQ(contacts.size(), 1U);
+        // A square of 2 mm, or a hexagon with neighbours 2 mm away: sqrt(3) / 2 of it.
+        const double cell_m2 = 4e-6 * (hexagonal ? std::numbers::sqrt3 / 2.0 : 1.0);
+        EXPECT_NEAR(contacts[0].area_m2 / static_cast<double>(contacts[0].markers.size()), cell_m2,
+                    0.01 * cell_m2)
+            << hexagonal;
+    }
+}
+
 TEST(GelContacts, findsTheCentreUnderBallsOf2To8Mm) {
     core::RandomStream random(7);
     std::vector<double> errors_mm;
