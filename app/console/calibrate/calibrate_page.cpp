@@ -19,7 +19,7 @@ namespace teleta::console {
 namespace {
 
 /// Rows of the list.
-enum CalibratePart { motorsPart, cameraPart, gainsPart, partCount };
+enum CalibratePart { motorsPart, cameraPart, gainsPart, loadsPart, partCount };
 
 } // namespace
 
@@ -30,7 +30,8 @@ CalibratePage::CalibratePage(BraceletService& station, SourceManager& sources, Q
     , m_contents(new PageStack(this))
     , m_motors(new MotorCalibrator(station, this))
     , m_camera(new CameraCalibrator)
-    , m_gains(new GainCalibrator(sources, this)) {
+    , m_gains(new GainCalibrator(sources, this))
+    , m_loads(new LoadCalibrator(this)) {
     m_parts->setFixedWidth(base::em(this, 12));
     m_parts->setFrameShape(QFrame::NoFrame);
     auto* row = new QHBoxLayout;
@@ -48,6 +49,7 @@ CalibratePage::CalibratePage(BraceletService& station, SourceManager& sources, Q
     };
     connect(m_motors, &MotorCalibrator::trouble, this, tell);
     connect(m_gains, &GainCalibrator::trouble, this, tell);
+    connect(m_loads, &LoadCalibrator::trouble, this, tell);
     connect(m_gains, &GainCalibrator::demoRequested, this,
             [this] { emit demoRequested(QStringLiteral(":/scenes/tactile-even-load.toml")); });
     connect(m_camera, &CameraCalibrator::message, this, [this](const QString& text, bool isError) {
@@ -57,6 +59,7 @@ CalibratePage::CalibratePage(BraceletService& station, SourceManager& sources, Q
     addPart(&m_motors->view());
     addPart(m_camera);
     addPart(&m_gains->view());
+    addPart(&m_loads->view());
     m_parts->setCurrentRow(0);
     base::keepTranslated(this, &CalibratePage::retranslate);
 }
@@ -76,6 +79,7 @@ void CalibratePage::tick() {
     m_parts->setReading(motorsPart, m_motors->step());
     m_parts->setReading(cameraPart, m_camera->step());
     m_parts->setReading(gainsPart, m_gains->view().step());
+    m_parts->setReading(loadsPart, m_loads->view().step());
 }
 
 bool CalibratePage::isSaved(int part) const {
@@ -84,13 +88,18 @@ bool CalibratePage::isSaved(int part) const {
         return m_motors->view().isSaved();
     case cameraPart:
         return m_camera->isSaved();
-    default:
+    case gainsPart:
         return m_gains->isSaved();
+    default:
+        return m_loads->isSaved();
     }
 }
 
 bool CalibratePage::hasUnsaved() const {
-    return !isSaved(motorsPart) || !isSaved(cameraPart) || !isSaved(gainsPart);
+    for (int part = 0; part < partCount; ++part)
+        if (!isSaved(part))
+            return true;
+    return false;
 }
 
 void CalibratePage::whenSettled(std::function<void()> goOn) {
@@ -161,6 +170,7 @@ void CalibratePage::retranslate() {
     m_parts->setName(motorsPart, tr("Bracelet motors"));
     m_parts->setName(cameraPart, tr("Cylinder camera"));
     m_parts->setName(gainsPart, tr("Taxel gains"));
+    m_parts->setName(loadsPart, tr("Loads in newtons"));
 }
 
 } // namespace teleta::console

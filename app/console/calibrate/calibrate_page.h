@@ -3,6 +3,7 @@
 
 #include "app/console/calibrate/camera/camera_calibrator.h"
 #include "app/console/calibrate/gain_calibrator.h"
+#include "app/console/calibrate/load_calibrator.h"
 #include "app/console/calibrate/motor_calibrator.h"
 #include "widgets/chrome/message_bar.h"
 
@@ -35,6 +36,7 @@ public:
     [[nodiscard]] MotorCalibrator& motors() { return *m_motors; }
     [[nodiscard]] CameraCalibrator& camera() { return *m_camera; }
     [[nodiscard]] GainCalibrator& gains() { return *m_gains; }
+    [[nodiscard]] LoadCalibrator& loads() { return *m_loads; }
     /// Shows the camera's calibration and reads pairs for it.
     void openPairs(const QString& path);
     /// Shows the state of the devices.
@@ -65,6 +67,7 @@ private:
     MotorCalibrator* m_motors;
     CameraCalibrator* m_camera;
     GainCalibrator* m_gains;
+    LoadCalibrator* m_loads;
     QPointer<QMessageBox> m_question;
     std::function<void()> m_goOn; ///< called when the user agreed to lose every unsaved calibration
 };

@@ -83,7 +83,7 @@ private slots:
 
     void theListOfPartsHasRowsThatAFingerHits() {
         const auto* parts = m_page->findChild<calibrate::StepList*>();
-        QCOMPARE(parts->count(), 3);
+        QCOMPARE(parts->count(), 4);
         for (int row = 0; row < parts->count(); ++row)
             QVERIFY(parts->visualItemRect(parts->item(row)).height() >= base::em(parts, 2.0));
     }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "backend/core/error.h"
+#include "widgets/calibrate/loads_view.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+namespace teleta::console {
+
+/// Calibrates signals of a sensor to newtons as `teleta loads fit` does: reads tables of presses, finds the
+/// gains and handles files on pool threads. Thread: GUI; nothing blocks.
+class LoadCalibrator : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LoadCalibrator(QWidget* parent);
+
+    [[nodiscard]] calibrate::LoadsView& view() { return *m_view; }
+    [[nodiscard]] bool isSaved() const { return m_view->isSaved(); }
+
+    void openPresses(const QString& path);
+    void fit(const QStringList& columns);
+    void load(const QString& path);
+    void save(const QString& path);
+
+signals:
+    void trouble(const QString& what, const QString& details);
+
+private:
+    void showTrouble(const core::Error& error);
+
+    calibrate::LoadsView* m_view;
+    QString m_path; ///< of the table
+};
+
+} // namespace teleta::console

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/calibrate/loads_view.h"
+
+#include "widgets/base/compose.h"
+#include "widgets/base/numbers/number_format.h"
+#include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/on_change.h"
+#include "widgets/base/theme.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+#include <initializer_list>
+#include <utility>
+
+namespace teleta::calibrate {
+
+namespace {
+
+enum ResultColumn { loadColumn, signalColumn, gainColumn, errorColumn, fromColumn, toColumn, resultColumns };
+
+QString number(double value) {
+    return base::threeDigits(value).trimmed();
+}
+
+} // namespace
+
+LoadsView::LoadsView(QWidget* parent)
+    : CalibrationView({"undo", "redo", "load", "save"}, parent)
+    , m_openText(new QLabel(this))
+    , m_chooseText(new QLabel(this))
+    , m_columns(base::named<QListWidget>("columns", this))
+    , m_result(base::named<QTableWidget>("loads", this))
+    , m_none(new QLabel(this)) {
+    for (QLabel* text : {m_openText, m_chooseText, m_none})
+        text->setWordWrap(true);
+    m_none->setAlignment(Qt::AlignCenter);
+    m_result->setColumnCount(resultColumns);
+    m_result->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_result->verticalHeader()->hide();
+    m_result->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+
+    auto* steps = new QVBoxLayout;
+    const auto add = [&](const char* name) {
+        QPushButton* made = addButton(name, this);
+        made->setMinimumHeight(base::em(this, 2.2));
+        auto* row = new QHBoxLayout;
+        row->addWidget(made);
+        row->addStretch(1);
+        steps->addLayout(row);
+        steps->addSpacing(base::grid(this));
+    };
+    steps->addWidget(m_openText);
+    add("presses");
+    steps->addWidget(m_chooseText);
+    steps->addWidget(m_columns, 1);
+    add("fit");
+    steps->addWidget(verdict());
+    auto* picture = new QVBoxLayout;
+    picture->addWidget(m_none, 1);
+    picture->addWidget(m_result, 1);
+    auto* body = new QHBoxLayout;
+    body->setSpacing(base::grid(this, 2.0));
+    body->addLayout(steps, 2);
+    body->addLayout(picture, 3);
+    page().addLayout(body, 1);
+
+    connect(button("presses"), &QPushButton::clicked, this, &LoadsView::pressesRequested);
+    connect(button("fit"), &QPushButton::clicked, this, [this] { emit fitRequested(chosen()); });
+    connect(m_columns, &QListWidget::itemChanged, this, &LoadsView::refresh);
+    base::keepTranslated(this, &LoadsView::retranslate);
+    base::onChange(this, &LoadsView::refresh, {QEvent::PaletteChange});
+}
+
+void LoadsView::setTable(const PressTable& table) {
+    const QStringList before = chosen();
+    m_table = table;
+    m_trouble.clear();
+    {
+        const QSignalBlocker blocked(m_columns);
+        m_columns->clear();
+        for (const QString& column : table.columns) {
+            auto* item = new QListWidgetItem(column, m_columns);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+            item->setCheckState(before.contains(column) ? Qt::Checked : Qt::Unchecked);
+        }
+    }
+    refresh();
+}
+
+QStringList LoadsView::chosen() const {
+    QStringList columns;
+    for (int row = 0; row < m_columns->count(); ++row)
+        if (m_columns->item(row)->checkState() == Qt::Checked)
+            columns << m_columns->item(row)->text();
+    return columns;
+}
+
+void LoadsView::take(const LoadsFound& found) {
+    const auto show = [this](const LoadsFound& shown) {
+        m_trouble.clear();
+        m_found = shown;
+        refresh();
+    };
+    change([show, found] { show(found); }, [show, before = m_found] { show(before); });
+}
+
+void LoadsView::setFound(const LoadsFound& found) {
+    m_trouble.clear();
+    m_found = found;
+    forgetChanges();
+    refresh();
+}
+
+void LoadsView::setBusy(bool busy) {
+    m_busy = busy;
+    if (busy)
+        m_trouble.clear();
+    refresh();
+}
+
+void LoadsView::showTrouble(const QString& text) {
+    m_trouble = text;
+    refresh();
+}
+
+StepReading LoadsView::step() const {
+    if (m_busy)
+        return {.state = StepState::running};
+    if (!m_trouble.isEmpty())
+        return {.state = StepState::failed};
+    if (!isSaved())
+        return {.state = StepState::notSaved};
+    return {.state = m_found ? StepState::done : StepState::toDo};
+}
+
+void LoadsView::undo() {
+    if (!m_busy)
+        changes().undo();
+}
+
+void LoadsView::redo() {
+    if (!m_busy)
+        changes().redo();
+}
+
+QString LoadsView::describeFound() const {
+    if (!m_found)
+        return {};
+    QStringList lines;
+    for (std::size_t i = 0; i < m_found->loads.size(); ++i)
+        lines << tr("%1: off by %2 (standard deviation).", "a load")
+                     .arg(QString::fromStdString(m_found->loads[i]),
+                          number(m_found->scatter[static_cast<Eigen::Index>(i)]));
+    if (m_found->condition > 1.0)
+        lines << tr("The presses tell the signals apart with a condition of %1; from %2 on they do not.")
+                     .arg(number(m_found->condition), number(equilibration::kMostCondition));
+    return lines.join(QLatin1Char('\n'));
+}
+
+void LoadsView::fillResult() {
+    m_result->setVisible(m_found != nullptr);
+    m_none->setVisible(m_found == nullptr);
+    m_result->setRowCount(0);
+    if (!m_found)
+        return;
+    const auto& found = *m_found;
+    for (Eigen::Index load = 0; load < found.gain.rows(); ++load) {
+        for (Eigen::Index channel = 0; channel < found.gain.cols(); ++channel) {
+            const int row = m_result->rowCount();
+            m_result->insertRow(row);
+            const auto put = [&](int column, const QString& text) {
+                auto* item = new QTableWidgetItem(text);
+                if (column >= gainColumn)
+                    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+                m_result->setItem(row, column, item);
+            };
+            put(loadColumn, QString::fromStdString(found.loads[static_cast<std::size_t>(load)]));
+            put(signalColumn, QString::fromStdString(found.channels[static_cast<std::size_t>(channel)]));
+            put(gainColumn, number(found.gain(load, channel)));
+            put(errorColumn, number(found.error(load, channel)));
+            put(fromColumn, number(found.least[channel]));
+            put(toColumn, number(found.greatest[channel]));
+        }
+    }
+}
+
+void LoadsView::refresh() {
+    const base::StatusColours& status = base::statusColours(palette());
+    const bool hasTable = !m_table.name.isEmpty();
+    showTitle(hasTable ? m_table.name : tr("No presses"));
+    const QString state = m_busy      ? tr("computing\u2026")
+                          : !m_found  ? tr("no calibration yet")
+                          : isSaved() ? tr("calibration saved")
+                                      : tr("calibration not saved");
+    showState(state, base::Provenance::live, m_found && isSaved() ? status.live : status.stale);
+    QString opened =
+        tr("1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, "
+           "shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.");
+    if (hasTable)
+        opened += QLatin1Char(' ') + tr("This one has %1.").arg(m_table.loads.join(QStringLiteral(", ")));
+    m_openText->setText(opened);
+    m_chooseText->setText(tr("2. Tick the columns that are signals."));
+    verdict()->setText(m_trouble.isEmpty() ? describeFound() : m_trouble);
+    base::setTextColour(verdict(), m_trouble.isEmpty() ? palette().color(QPalette::WindowText) : status.lost);
+    m_columns->setEnabled(!m_busy && hasTable);
+    enable("undo", !m_busy && changes().canUndo());
+    enable("redo", !m_busy && changes().canRedo());
+    enable("load", !m_busy);
+    enable("save", !m_busy && m_found);
+    enable("presses", !m_busy);
+    enable("fit", !m_busy && hasTable && !chosen().isEmpty());
+    fillResult();
+}
+
+void LoadsView::retranslate() {
+    name("undo", tr("Undo"), tr("Undo the last change (Ctrl+Z)"));
+    name("redo", tr("Redo"), tr("Redo the change undone last"));
+    name("load", tr("&Load\u2026"), tr("Show a calibration from a file (CSV)"));
+    name("save", tr("&Save\u2026"),
+         tr("Save the calibration (CSV) for the key \u201cloads\u201d of a sensor's file and the command "
+            "line"));
+    name("presses", tr("&Open presses\u2026"), tr("A table (CSV) with a row for each press"));
+    name("fit", tr("&Find the gains"), tr("Least squares over the presses under load"));
+    m_columns->setAccessibleName(tr("Columns that may be signals"));
+    m_result->setAccessibleName(tr("Gains of the signals"));
+    m_result->setHorizontalHeaderLabels({tr("Load"), tr("Signal"), tr("Gain", "N per unit of a signal"),
+                                         tr("Standard error"), tr("Presses from", "a signal"),
+                                         tr("to", "a signal")});
+    m_none->setText(tr("The newtons for one unit of each signal will be shown here."));
+    setAccessibleName(tr("Calibration of a sensor to newtons"));
+    refresh();
+}
+
+} // namespace teleta::calibrate
