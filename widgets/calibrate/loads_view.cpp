@@ -2,8 +2,6 @@
 #include "widgets/calibrate/loads_view.h"
 
 #include "widgets/base/compose.h"
-#include "widgets/base/numbers/number_format.h"
-#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -11,6 +9,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
@@ -27,7 +26,8 @@ namespace {
 enum ResultColumn { loadColumn, signalColumn, gainColumn, errorColumn, fromColumn, toColumn, resultColumns };
 
 QString number(double value) {
-    return base::threeDigits(value).trimmed();
+    constexpr int kDigits = 4; // gains of gels are large, and their signals small
+    return QLocale().toString(value, 'g', kDigits);
 }
 
 } // namespace
@@ -228,7 +228,7 @@ void LoadsView::retranslate() {
          tr("Save the calibration (CSV) for the key \u201cloads\u201d of a sensor's file and the command "
             "line"));
     name("presses", tr("&Open presses\u2026"), tr("A table (CSV) with a row for each press"));
-    name("fit", tr("&Find the gains"), tr("Least squares over the presses under load"));
+    name("fit", tr("Find the &gains"), tr("Least squares over the presses under load"));
     m_columns->setAccessibleName(tr("Columns that may be signals"));
     m_result->setAccessibleName(tr("Gains of the signals"));
     m_result->setHorizontalHeaderLabels({tr("Load"), tr("Signal"), tr("Gain", "N per unit of a signal"),
