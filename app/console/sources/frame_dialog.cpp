@@ -60,7 +60,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     m_timeColumn->setObjectName(QStringLiteral("timeColumn"));
     m_rate_Hz->setObjectName(QStringLiteral("rate"));
     m_threshold->setObjectName(QStringLiteral("threshold"));
-    m_threshold->setSpecialValueText(tr("0.2 N, or a count"));
+    m_threshold->setSpecialValueText(tr("0.2 N, or one count"));
     m_threshold->setToolTip(tr("Load from which a taxel is in contact, in the unit of the values"));
     m_array->setText(QString::fromStdString(request.array));
     m_array->setPlaceholderText(tr("the only one, or the one named frames"));
