@@ -86,8 +86,10 @@ void SheetView::restyle() {
 
 int SheetView::fittingWidth(int column) const {
     const QString title = m_view->model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    const int head =
-        QFontMetrics(m_view->horizontalHeader()->font()).horizontalAdvance(title) + base::em(this, 1);
+    // Its own hint has the arrow of a sorted column, but not what is put around the title.
+    const int head = std::max(QFontMetrics(m_view->horizontalHeader()->font()).horizontalAdvance(title) +
+                                  base::em(this, 1),
+                              m_view->horizontalHeader()->sectionSizeHint(column));
     return std::max(head, static_cast<QAbstractItemView*>(m_view)->sizeHintForColumn(column)) +
            base::em(this, kColumnGap_em);
 }
