@@ -182,6 +182,8 @@ core::Expected<Opened> openGel(const GelRequest& request) {
     camera::CameraConfig config;
     config.source =
         camera::isCameraNumber(file.source) ? file.source : core::besideFile(request.path, file.source);
+    config.width_px = file.width_px;
+    config.height_px = file.height_px;
     config.rate_Hz = file.rate_Hz;
     config.channel = static_cast<camera::VideoChannel>(file.channel); // of the same order
     config.loop = request.loop;

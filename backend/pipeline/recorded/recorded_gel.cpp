@@ -60,6 +60,7 @@ recording::StreamInfo gelStream(const std::string& name, const core::CameraDescr
     // The pictures are cropped and flipped by now, and come from nowhere else.
     vision::MarkerGelFile recorded = file;
     recorded.source.clear();
+    recorded.width_px = recorded.height_px = 0;
     recorded.crop.clear();
     recorded.flipX = false;
     recorded.flipY = false;

@@ -79,6 +79,10 @@ void MarkerGelFile::describeKeys(core::Keys& keys, core::Need needOfPlane) {
     keys.text("name", name, "Name on the screen", core::Need::optional);
     keys.text("source", source, "Number of the camera, a video, or a pattern of numbered images",
               core::Need::optional);
+    const core::WholeRange side{0, static_cast<int>(kMostPixels)};
+    keys.whole("width_px", width_px, side, "Width of the picture asked of a camera; 0: its own",
+               core::Need::optional);
+    keys.whole("height_px", height_px, side, "Height of the same", core::Need::optional);
     core::describeList(keys, "crop", crop, core::NumberRange::between(0.0, kMostPixels), {4, 4},
                        "Part of the picture that is used: x, y, width, height in pixels",
                        core::Need::optional);
@@ -183,6 +187,10 @@ std::string markerGelText(const MarkerGelFile& gel) {
     write("name", core::quotedToml(gel.name));
     if (!gel.source.empty())
         write("source", core::quotedToml(gel.source));
+    if (gel.width_px > 0)
+        write("width_px", std::to_string(gel.width_px));
+    if (gel.height_px > 0)
+        write("height_px", std::to_string(gel.height_px));
     list("crop", gel.crop);
     write("flip_x", gel.flipX ? "true" : "false");
     write("flip_y", gel.flipY ? "true" : "false");

@@ -19,6 +19,8 @@ enum class MarkerGrid { rectangular, hexagonal, free };
 struct MarkerGelFile {
     std::string name = "gel";
     std::string source; ///< as of a camera: its number, a video or a pattern of images; empty: none
+    int width_px = 0;   ///< asked of a camera; 0: its own
+    int height_px = 0;
     std::vector<double>
         crop;           ///< x, y, width, height in whole pixels of the camera's picture; empty: all of it
     bool flipX = false; ///< left and right are exchanged, after the crop

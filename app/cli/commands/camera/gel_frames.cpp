@@ -12,7 +12,9 @@ core::Expected<std::vector<cv::Mat1b>> firstGelFrames(const vision::MarkerGelFil
                                                       const std::string& source) {
     using Outcome = camera::VideoStream::Outcome;
     TELETA_TRY(auto stream, camera::VideoStream::open(
-                                source, {.rate_Hz = file.rate_Hz,
+                                source, {.width_px = file.width_px,
+                                         .height_px = file.height_px,
+                                         .rate_Hz = file.rate_Hz,
                                          .channel = static_cast<camera::VideoChannel>(file.channel)}));
     std::vector<cv::Mat1b> frames;
     while (frames.size() < vision::MarkerGel::kReferencePictures && !interrupted()) {

@@ -82,7 +82,9 @@ public:
         refuseToReplace(m_output.outPath, std::array{m_video, m_sensorPath});
         TELETA_TRY(
             camera::VideoStream stream,
-            camera::VideoStream::open(m_video, {.rate_Hz = file.rate_Hz,
+            camera::VideoStream::open(m_video, {.width_px = file.width_px,
+                                                .height_px = file.height_px,
+                                                .rate_Hz = file.rate_Hz,
                                                 .channel = static_cast<camera::VideoChannel>(file.channel)}));
         std::vector<cv::Mat1b> first;
         std::vector<Frame> waiting;

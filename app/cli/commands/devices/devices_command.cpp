@@ -222,7 +222,7 @@ core::Expected<FoundDevice> probeGel(const std::string& path) {
                         {path}};
         return found;
     }
-    const auto probe = camera::probeCamera(source, 0, 0, file.rate_Hz);
+    const auto probe = camera::probeCamera(source, file.width_px, file.height_px, file.rate_Hz);
     found.error = errorOf(probe);
     if (!probe)
         return found;

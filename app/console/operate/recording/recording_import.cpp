@@ -93,12 +93,12 @@ RecordingImport::Result RecordingImport::makeOfFrames(const QString& recording, 
     const std::optional<double> threshold =
         request.threshold ? request.threshold : frames::usualThreshold(reader.unit());
     if (!threshold)
-        return core::failed(
-            core::ErrorKind::badInput,
-            tr("the loads are in %1, a unit without a usual threshold")
-                .arg(QString::fromStdString(reader.unit())),
-            tr("in \u201cIn contact from\u201d, from how many %1 a taxel is in contact").arg(QString::fromStdString(reader.unit())),
-            {request.path});
+        return core::failed(core::ErrorKind::badInput,
+                            tr("the loads are in %1, a unit without a usual threshold")
+                                .arg(QString::fromStdString(reader.unit())),
+                            tr("in \u201cIn contact from\u201d, from how many %1 a taxel is in contact")
+                                .arg(QString::fromStdString(reader.unit())),
+                            {request.path});
     frames::FrameImportOptions options;
     options.settings.features.threshold_N = options.settings.segmentation.threshold_N = *threshold;
     options.goOn = [&progress](double share) {

@@ -102,6 +102,13 @@ TEST(MarkerGelFile, tellsLineAndColumnOfWhatIsWrong) {
     }
 }
 
+TEST(MarkerGelFile, theExampleIsRead) {
+    const auto file = readMarkerGel(TELETA_SOURCE_DIR "/resources/devices/marker-gel.toml");
+    ASSERT_TRUE(file) << core::describe(file.error());
+    EXPECT_EQ(file->width_px, 320);
+    EXPECT_EQ(file->plane.mmPerPx, 0.0634);
+}
+
 TEST(MarkerGelFile, needsAScale) {
     const auto file = parseMarkerGel("kind = \"marker_gel\"\ngrid = \"free\"\n[plane]\n", "gel.toml");
     ASSERT_FALSE(file);
@@ -112,7 +119,8 @@ TEST(MarkerGelFile, needsAScale) {
 TEST(MarkerGelFile, isReadBackAsItWasWritten) {
     const std::array<std::string, 3> texts{
         kWhole,
-        "kind = \"marker_gel\"\nname = \"a \\\"b\\\"\"\nsource = \"0\"\nmarker = \"bright\"\nflip_y = true\n"
+        "kind = \"marker_gel\"\nname = \"a \\\"b\\\"\"\nsource = \"0\"\nwidth_px = 640\nheight_px = "
+        "480\nmarker = \"bright\"\nflip_y = true\n"
         "grid = \"hexagonal\"\n[plane]\nhomography = [1e-4, 0, 0, 0, 1.25e-4, 0.001, 0, 0, 1]\n",
         "kind = \"marker_gel\"\ngrid = \"free\"\n[plane]\npitch_mm = 2.0\n[lens]\nfx = 300\nfy = 301.5\n"
         "cx = 160\ncy = 120\nk1 = -0.1\n"};
@@ -125,6 +133,8 @@ TEST(MarkerGelFile, isReadBackAsItWasWritten) {
         EXPECT_EQ(markerGelText(*second), written);
         EXPECT_EQ(second->name, first->name);
         EXPECT_EQ(second->source, first->source);
+        EXPECT_EQ(second->width_px, first->width_px);
+        EXPECT_EQ(second->height_px, first->height_px);
         EXPECT_EQ(second->crop, first->crop);
         EXPECT_EQ(second->flipX, first->flipX);
         EXPECT_EQ(second->flipY, first->flipY);
