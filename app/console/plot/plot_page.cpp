@@ -243,9 +243,15 @@ void PlotPage::retranslate() {
     showSignals();
 }
 
+QString PlotPage::newestText(double value) {
+    // Lengths are in metres: two decimals would make nothing of them.
+    constexpr double kSmall = 0.1;
+    return std::abs(value) < kSmall ? base::significantDigits(value, 3) : base::threeDigits(value);
+}
+
 QString PlotPage::valueText(const signal::SignalId& id) const {
     const auto found = m_signals->sources().find(id);
-    return found && found->newest ? base::threeDigits(found->newest) : QString();
+    return found && found->newest ? newestText(*found->newest) : QString();
 }
 
 void PlotPage::showSources() {

@@ -45,6 +45,9 @@ class PlotPage : public QWidget {
 public:
     PlotPage(SourceManager& sources, ConsoleSettings& settings, QWidget* parent = nullptr);
 
+    /// A newest value in the list of signals: three digits, of small ones after the zeros.
+    [[nodiscard]] static QString newestText(double value);
+
     [[nodiscard]] PlotSignals& plotSignals() { return *m_signals; }
     [[nodiscard]] signal::SignalPlot& plot() { return *m_plot; }
     [[nodiscard]] signal::SignalTable& table() { return *m_table; }

@@ -133,7 +133,7 @@ private slots:
         // Also with the arrow a title is whole.
         for (int column = 0; column + 1 < header->count(); ++column)
             QTRY_VERIFY2(header->sectionSize(column) >= header->sectionSizeHint(column),
-                     qPrintable(QString::number(column)));
+                         qPrintable(QString::number(column)));
     }
 
     void keysMoveTheSelectionAndReturnTellsIt() {

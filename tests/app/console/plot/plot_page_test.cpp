@@ -89,6 +89,14 @@ class PlotPageTest : public QObject {
     }
 
 private slots:
+    void aSmallNewestValueHasItsDigitsToo() {
+        QCOMPARE(PlotPage::newestText(0.00123456), QStringLiteral("0.00123"));
+        QCOMPARE(PlotPage::newestText(-0.0456), QStringLiteral("\u22120.0456"));
+        QCOMPARE(PlotPage::newestText(0.0), QStringLiteral("0"));
+        QCOMPARE(PlotPage::newestText(7.7077).trimmed(), QStringLiteral("7.71"));
+        QCOMPARE(PlotPage::newestText(13283.4).trimmed(), QStringLiteral("13283"));
+    }
+
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         base::applyTheme(base::ThemeChoice::light);
