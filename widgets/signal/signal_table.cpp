@@ -9,9 +9,11 @@
 #include "widgets/signal/unit_text.h"
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -65,7 +67,17 @@ SignalTable::SignalTable(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
     layout->setSpacing(base::grid(this, 0.5));
-    layout->addWidget(m_times);
+    auto* above = new QHBoxLayout;
+    above->addWidget(m_times);
+    above->addStretch(1);
+    for (QAction* action : rowActions()) {
+        auto* button = new QToolButton(this);
+        button->setAutoRaise(true);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        button->setDefaultAction(action);
+        above->addWidget(button);
+    }
+    layout->addLayout(above);
     layout->addWidget(m_view, 1);
     connect(m_derivative, &QAction::triggered, this, [this] {
         for (const int row : chosenRows())

@@ -10,6 +10,7 @@
 #include "widgets/signal/signal_table.h"
 #include "widgets/signal/signals_mime.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -261,6 +262,17 @@ private slots:
         QVERIFY(std::abs(spectrum.frequency_Hz[static_cast<std::size_t>(peak - spectrum.amplitude.begin())] -
                          10.0) < 4.0);
         QVERIFY(m_page->findChild<QCheckBox*>("density")->isVisible());
+
+        // The same by buttons, for those who do not know the keys.
+        for (QAction* action : m_page->table().rowActions()) {
+            const auto buttons = m_page->table().findChildren<QToolButton*>();
+            const auto button = std::ranges::find(buttons, action, &QToolButton::defaultAction);
+            QVERIFY2(button != buttons.end() && (*button)->isVisible(), qPrintable(action->text()));
+            const QSignalSpy done(action, &QAction::triggered);
+            QTest::mouseClick(*button, Qt::LeftButton);
+            QCOMPARE(done.count(), 1);
+        }
+        QCOMPARE(table.topLevelItemCount(), 1); // its derivative was there; the chosen one is removed
     }
 
     void tooFewSamplesInViewAreNoSpectrum() {
