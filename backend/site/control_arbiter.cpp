@@ -11,12 +11,19 @@ namespace {
 /// Answers that are kept a console: more than it can have open.
 constexpr std::size_t kKeptAnswers = 32;
 
+/// Whoever asks for it has control once it is done.
+bool mayGrant(RequestKind kind) {
+    return kind == RequestKind::request || kind == RequestKind::takeOver || kind == RequestKind::accept;
+}
+
 } // namespace
 
-ControlArbiter::ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times, StopHolders stops)
+ControlArbiter::ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times, StopHolders stops,
+                               std::uint64_t epoch)
     : m_supervisors(std::move(supervisors))
     , m_times(times)
-    , m_stops(std::move(stops)) {
+    , m_stops(std::move(stops))
+    , m_epoch(epoch) {
 }
 
 bool ControlArbiter::alive(const std::string& console, std::int64_t now_ns) const {
@@ -111,7 +118,10 @@ bool ControlArbiter::presence(const std::string& console, const Presence& presen
             closeOffer(RequestAnswer::expired);
         m_consoles.erase(found);
     }
+    const bool came = !alive(console, now_ns);
     Console& known = m_consoles[console];
+    if (came)
+        known.since_ns = now_ns;
     known.boot = presence.boot;
     known.viewer = presence.viewer;
     known.seen_ns = now_ns;
@@ -128,6 +138,8 @@ RequestAnswer ControlArbiter::request(const std::string& console, const BootName
         return RequestAnswer::noSuchConsole;
     if (const auto known = found->second.answers.find(id); known != found->second.answers.end())
         return known->second;
+    if (mayGrant(kind) && now_ns - found->second.since_ns < m_times.known_ns)
+        return RequestAnswer::waits;
     // Noted before it is carried out: an offer that ends at once finds where its answer belongs.
     found->second.answers[id] = RequestAnswer::waits;
     const RequestAnswer answer = carryOut(console, kind, target, id, now_ns);

@@ -24,6 +24,9 @@ struct LeaseTimes {
     std::int64_t loopLimit_ns = 500'000'000;  ///< largest age of the newest state that the console had seen
     std::int64_t gap_ns = 500'000'000;        ///< after a longer gap the switch must be pressed anew
     std::int64_t presence_ns = 1'000'000'000; ///< a console that is silent for longer has vanished
+    /// A console that has been there for less is given no control: whether its switch is held, and for how
+    /// long, shows in its commands.
+    std::int64_t known_ns = 300'000'000;
 };
 
 /// Numbers are those of SiteState.mode.
@@ -120,9 +123,10 @@ public:
     /// STOPs that are kept of programs of one name; as long as there are so many, a further one adds nothing.
     static constexpr std::size_t kMostStopsOfName = 16;
 
-    /// stops: of the program of this site before.
+    /// stops: of the program of this site before. epoch: that of no controller; not that of the program
+    /// before, whose commands may still be on their way.
     explicit ControlArbiter(std::set<std::string> supervisors, const LeaseTimes& times = {},
-                            StopHolders stops = {});
+                            StopHolders stops = {}, std::uint64_t epoch = 0);
 
     /// Ends the leases that are over. Call it before state is looked at, and at least every motion lease.
     void advance(std::int64_t now_ns);
@@ -132,7 +136,7 @@ public:
 
     /// A request; the same id of the same console is answered as before without doing it again. target: the
     /// console that it is about (offer, withdrawStop); of decline, the reason, at most kLongestReason_bytes.
-    /// waits: an offer or a take-over is open.
+    /// waits: an offer or a take-over is open, or the console has just come; it asks again then.
     RequestAnswer request(const std::string& console, const BootName& boot, std::uint64_t id,
                           RequestKind kind, const std::string& target, std::int64_t now_ns);
 
@@ -182,6 +186,7 @@ private:
     struct Console {
         BootName boot{};
         bool viewer = false;
+        std::int64_t since_ns = 0; ///< it is there
         std::int64_t seen_ns = 0;
         std::uint64_t lastNumber = 0;
         bool hasNumber = false;

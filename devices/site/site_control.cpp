@@ -43,6 +43,13 @@ std::uint32_t toMs(std::int64_t time_ns) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(time_ns / 1'000'000, 0, 0xFFFFFFFF));
 }
 
+std::uint64_t firstEpochOf(const site::BootName& boot) {
+    std::uint64_t epoch = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        epoch = epoch << 8U | boot[i];
+    return epoch;
+}
+
 std::string messageOf(RequestAnswer answer) {
     switch (answer) {
     case RequestAnswer::waits:
@@ -152,9 +159,10 @@ SiteControl::SiteControl(std::shared_ptr<const dds::Participant> participant, Si
     , m_discovery(std::move(discovery))
     , m_waitSet(m_participant)
     , m_siteStop(m_settings.stops.site)
-    , m_arbiter(m_settings.supervisors, m_settings.times, m_settings.stops)
+    , m_arbiter(m_settings.supervisors, m_settings.times, m_settings.stops, firstEpochOf(m_boot))
     , m_health(m_arms.size())
     , m_keptStops(m_settings.stops) {
+    m_known.epoch = m_arbiter.epoch();
 }
 
 SiteControl::~SiteControl() {

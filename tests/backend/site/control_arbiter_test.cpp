@@ -29,7 +29,11 @@ BootName boot(std::uint8_t value) {
 /// A site with two consoles and a viewer, and a clock.
 class Site {
 public:
-    Site() { seeAll(); }
+    Site() {
+        seeAll();
+        pass(LeaseTimes().known_ns);
+        seeAll();
+    }
 
     ControlArbiter arbiter{{"two"}};
     std::int64_t now_ns = 100 * kSecond;
@@ -81,6 +85,42 @@ TEST(ControlArbiter, theFirstRequestGetsControl) {
     EXPECT_EQ(site.ask("two", RequestKind::release), RequestAnswer::notController);
     EXPECT_EQ(site.ask("one", RequestKind::release), RequestAnswer::done);
     EXPECT_EQ(site.mode(), Mode::free);
+}
+
+TEST(ControlArbiter, aConsoleThatHasJustComeWaitsUntilItsSwitchIsKnown) {
+    // As after a restart of the site: the switch has been held all the time, and the request comes first.
+    ControlArbiter arbiter({}, {}, {}, 1000);
+    const Presence one{boot(1), false, false};
+    CommandHead held;
+    held.boot = boot(1);
+    held.press = 5;
+    const auto command = [&](std::int64_t now_ns) {
+        ++held.number;
+        held.epoch = arbiter.epoch();
+        held.echoSite_ns = now_ns;
+        return arbiter.command("one", held, now_ns);
+    };
+    arbiter.presence("one", one, 0);
+    EXPECT_EQ(arbiter.request("one", boot(1), 7, RequestKind::request, {}, 0), RequestAnswer::waits);
+    EXPECT_EQ(arbiter.answerTo("one", 7), RequestAnswer::waits);
+    EXPECT_EQ(arbiter.epoch(), 1000U);
+    EXPECT_EQ(command(20 * kMs), CommandRefusal::notController);
+    EXPECT_EQ(arbiter.request("one", boot(1), 7, RequestKind::request, {}, 299 * kMs), RequestAnswer::waits);
+    EXPECT_EQ(arbiter.request("one", boot(1), 7, RequestKind::request, {}, 300 * kMs), RequestAnswer::done);
+    EXPECT_EQ(arbiter.epoch(), 1001U);
+    EXPECT_EQ(command(320 * kMs), CommandRefusal::pressAnew);
+    held.press = 6;
+    EXPECT_EQ(command(340 * kMs), CommandRefusal::none);
+    // One that was cut off may have been pressed meanwhile.
+    arbiter.advance(5 * kSecond);
+    EXPECT_EQ(arbiter.mode(5 * kSecond), Mode::free);
+    arbiter.presence("one", one, 5 * kSecond);
+    EXPECT_EQ(arbiter.request("one", boot(1), 8, RequestKind::request, {}, 5 * kSecond),
+              RequestAnswer::waits);
+    // Whoever stays may wait for no longer than the first time.
+    arbiter.presence("one", one, 5 * kSecond + 200 * kMs);
+    EXPECT_EQ(arbiter.request("one", boot(1), 8, RequestKind::request, {}, 5 * kSecond + 300 * kMs),
+              RequestAnswer::done);
 }
 
 TEST(ControlArbiter, aRepeatedRequestIsAnsweredOnce) {
@@ -256,6 +296,7 @@ TEST(ControlArbiter, aControllerThatVanishesFreesControlAfterTwoSeconds) {
     site.pass(200 * kMs);
     EXPECT_EQ(site.mode(), Mode::free);
     site.arbiter.presence("two", {boot(2), false, false}, site.now_ns);
+    site.pass(LeaseTimes().known_ns);
     EXPECT_EQ(site.ask("two", RequestKind::request), RequestAnswer::done);
 }
 
@@ -341,10 +382,10 @@ TEST(ControlArbiter, stopsOfTheSitesProgramBeforeHoldUntilTheirOwnersWithdrawThe
     EXPECT_EQ(anew.mode(2 * kMs), Mode::stopped);
     // A supervisor withdraws that of one who is gone.
     EXPECT_TRUE(anew.presence("two", {boot(2), false, false}, 3 * kMs));
-    EXPECT_EQ(anew.request("two", boot(2), 1, RequestKind::request, {}, 3 * kMs), RequestAnswer::stopped);
-    EXPECT_EQ(anew.request("two", boot(2), 2, RequestKind::withdrawStop, "eyes", 3 * kMs),
+    EXPECT_EQ(anew.request("two", boot(2), 1, RequestKind::request, {}, 400 * kMs), RequestAnswer::stopped);
+    EXPECT_EQ(anew.request("two", boot(2), 2, RequestKind::withdrawStop, "eyes", 400 * kMs),
               RequestAnswer::done);
-    EXPECT_EQ(anew.mode(3 * kMs), Mode::free);
+    EXPECT_EQ(anew.mode(400 * kMs), Mode::free);
     EXPECT_EQ(anew.stops(), StopHolders());
 }
 

@@ -201,6 +201,30 @@ TEST(Site, oneThatIsKilledWhileItIsStoppedStartsStopped) {
     takeOver(console);
 }
 
+TEST(Site, aSwitchThatIsHeldThroughARestartMovesNothingWhoeverIsGivenControl) {
+    SiteProcess site(155, kPractice);
+    site.start();
+    TestConsole console(site, "a");
+    takeOver(console);
+    for (int restarts = 0; restarts < 3; ++restarts) {
+        console.press(kRate_radPerS);
+        ASSERT_TRUE(console.moves());
+        site.kill();
+        ASSERT_TRUE(TestConsole::eventually([&] { return !console.view().reached; }));
+        // Asked for while nobody is there to answer, with the switch held.
+        (void)console.request(RequestKind::request);
+        site.start();
+        ASSERT_TRUE(TestConsole::eventually([&] { return console.controls(); }));
+        // The program of the simulated arm moves it until somebody else does.
+        EXPECT_TRUE(TestConsole::eventually([&] { return console.hindrance() == kPressAnew; }));
+        EXPECT_EQ(console.view().accepted, 0U);
+        console.letGo();
+        ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); }));
+    }
+    console.press(kRate_radPerS);
+    EXPECT_TRUE(console.moves());
+}
+
 TEST(Site, stopsOfConsolesOutliveItsProgram) {
     SiteProcess site(153, kPractice);
     site.start();
