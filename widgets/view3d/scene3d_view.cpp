@@ -331,8 +331,7 @@ void Scene3dView::refresh() {
         sceneMoved(true);
     const auto& contacts = parts.scene.marks();
     const double time_s = parts.scene.snapshot().sourceTime_s;
-    if (parts.follow->isChecked() && (!contacts.empty() || !armBox_m().isEmpty())) {
-        // Without a contact: the hand.
+    if (parts.follow->isChecked() && (!contacts.empty() || !armBox_m().isEmpty())) { // else the hand
         const Eigen::Vector3d p = contacts.empty() ? Eigen::Vector3d::Zero() : contacts.front().p_Sensor_Foot;
         parts.camera.follow(parts.scene.toWorld(p), time_s - parts.lastTime_s);
     }
