@@ -252,9 +252,16 @@ void SiteControl::findConsoles() {
     }
     for (const dds::FoundEnd& end : m_discovery.ends()) {
         const std::optional<std::string> name = m_topics.consoleOf(end.ddsTopic);
-        if (!name || !end.writes || end.own || m_consoles.contains(*name) ||
-            m_consoles.size() >= kMostConsoles)
+        if (!name || !end.writes || end.own || m_consoles.contains(*name))
             continue;
+        if (m_consoles.size() >= kMostConsoles) {
+            if (!m_isFull)
+                tell(Severity::error, *name, "console_refused",
+                     *name + " is ignored: since its start the site has known " +
+                         std::to_string(kMostConsoles) + " names of consoles, and more need a new start");
+            m_isFull = true;
+            continue;
+        }
         auto opened = ConsoleEnds::open(m_participant, m_topics, *name);
         if (!opened) {
             tell(Severity::error, *name, "console_refused", core::describe(opened.error()));

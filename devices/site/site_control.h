@@ -75,7 +75,7 @@ public:
     /// So many late cycles in kLateWindow_ns are a fault.
     static constexpr std::size_t kMostLate = 3;
     static constexpr std::int64_t kLateWindow_ns = 10'000'000'000;
-    /// More names than that are ignored.
+    /// More names than that are ignored, and the first of them is told.
     static constexpr std::size_t kMostConsoles = 64;
 
     /// arms: their sources and stop outlive the control. told: called by its thread; must not wait. Error:
@@ -146,6 +146,7 @@ private:
     // The thread's own.
     site::ControlArbiter m_arbiter;
     std::map<std::string, std::unique_ptr<ConsoleEnds>> m_consoles;
+    bool m_isFull = false;           ///< told that there are kMostConsoles
     std::vector<ArmHealth> m_health; ///< of each arm
     std::optional<AskedMotion> m_command;
     const SiteArm* m_commanded = nullptr;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What consoles learn of each other: who sits there, why somebody declined, that a name is taken.
+#include "devices/site/console_ends.h"
+#include "devices/site/remote_site_file.h"
+#include "devices/site/site_control.h"
 #include "tests/peer/site/site_process.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +66,24 @@ TEST(SitePeople, aSecondProgramOfANameIsToldSoAtOnce) {
     EXPECT_TRUE(first.controls());
     EXPECT_FALSE(second.controls());
     EXPECT_EQ(first.ask(RequestKind::release), RequestAnswer::done);
+}
+
+TEST(SitePeople, theFirstNameTooManyIsRefusedInTheLog) {
+    SiteProcess site(157, kPractice);
+    site.start();
+    const auto file = site_link::readRemoteSite(site.fileOf("c0"));
+    ASSERT_TRUE(file) << core::describe(file.error());
+    const auto participant = file->meeting.join();
+    ASSERT_TRUE(participant) << core::describe(participant.error());
+    const site_link::SiteTopics topics("lab");
+    std::vector<dds::Writer<ros::ConsolePresence>> consoles;
+    for (std::size_t i = 0; i <= site_link::SiteControl::kMostConsoles; ++i) {
+        auto opened = dds::Writer<ros::ConsolePresence>::open(
+            *participant, topics.presence("c" + std::to_string(i)), site_link::kPresenceProfile);
+        ASSERT_TRUE(opened) << core::describe(opened.error());
+        consoles.push_back(std::move(*opened));
+    }
+    EXPECT_TRUE(site.says("console_refused"));
 }
 
 TEST(SitePeople, loopsAndRefusalsAreCounted) {

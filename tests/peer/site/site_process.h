@@ -81,6 +81,8 @@ public:
             return line.find(text) != std::string::npos;
         });
     }
+    /// Waits until its log has a line with this text.
+    [[nodiscard]] bool says(const std::string& text) { return m_process.waitFor(text).has_value(); }
     void send(int signal) const { ASSERT_EQ(::kill(static_cast<pid_t>(m_id), signal), 0); }
 
     /// The file with which a console reaches it.
