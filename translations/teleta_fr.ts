@@ -3831,6 +3831,22 @@ Exemples&#xa0;:
         <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
         <translation>Pilotez-le vous-même par une liaison lente, ou regardez un opérateur programmé les trouver</translation>
     </message>
+    <message>
+        <source>A ball bumps into a flat gel</source>
+        <translation>Une bille heurte un gel plat</translation>
+    </message>
+    <message>
+        <source>The arm that carries the gel draws back</source>
+        <translation>Le bras qui porte le gel recule</translation>
+    </message>
+    <message>
+        <source>A ball leads a flat gel</source>
+        <translation>Une bille entraîne un gel plat</translation>
+    </message>
+    <message>
+        <source>The arm follows a ball that drags the gel along</source>
+        <translation>Le bras suit une bille qui entraîne le gel</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -5193,6 +5209,27 @@ Exemples&#xa0;:
     <message>
         <source>PAUSED</source>
         <translation>EN PAUSE</translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation>charge %1</translation>
+    </message>
+    <message>
+        <source>shear along x %1</source>
+        <translation>cisaillement selon x %1</translation>
+    </message>
+    <message>
+        <source>shear along y %1</source>
+        <translation>cisaillement selon y %1</translation>
+    </message>
+    <message>
+        <source>moment %1</source>
+        <translation>moment %1</translation>
+    </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>extrapolation</translation>
     </message>
 </context>
 <context>
@@ -17487,6 +17524,141 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::LoadsView</name>
+    <message>
+        <source>%1: off by %2 (standard deviation).</source>
+        <comment>a load</comment>
+        <translation>%1 : écart de %2 (écart type).</translation>
+    </message>
+    <message>
+        <source>The presses tell the signals apart with a condition of %1; from %2 on they do not.</source>
+        <translation>Les appuis distinguent les signaux avec un conditionnement de %1 ; à partir de %2, ils ne le font plus.</translation>
+    </message>
+    <message>
+        <source>No presses</source>
+        <translation>Aucun appui</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>calcul en cours…</translation>
+    </message>
+    <message>
+        <source>no calibration yet</source>
+        <translation>pas encore d’étalonnage</translation>
+    </message>
+    <message>
+        <source>calibration saved</source>
+        <translation>étalonnage enregistré</translation>
+    </message>
+    <message>
+        <source>calibration not saved</source>
+        <translation>étalonnage non enregistré</translation>
+    </message>
+    <message>
+        <source>1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.</source>
+        <translation>1. Ouvrez un tableau (CSV), une ligne par appui : les signaux du capteur, et la charge connue dans force_n, shear_x_n, shear_y_n ou moment_nm. Les lignes où toutes les charges valent 0 donnent le repos.</translation>
+    </message>
+    <message>
+        <source>This one has %1.</source>
+        <translation>Celui-ci a %1.</translation>
+    </message>
+    <message>
+        <source>2. Tick the columns that are signals.</source>
+        <translation>2. Cochez les colonnes qui sont des signaux.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>Annuler la dernière modification (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>Rétablir la dernière modification annulée</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>C&amp;harger…</translation>
+    </message>
+    <message>
+        <source>Show a calibration from a file (CSV)</source>
+        <translation>Afficher un étalonnage depuis un fichier (CSV)</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>Enregi&amp;strer…</translation>
+    </message>
+    <message>
+        <source>Save the calibration (CSV) for the key “loads” of a sensor&apos;s file and the command line</source>
+        <translation>Enregistrer l’étalonnage (CSV) pour la clé « loads » du fichier d’un capteur et la ligne de commande</translation>
+    </message>
+    <message>
+        <source>&amp;Open presses…</source>
+        <translation>&amp;Ouvrir les appuis…</translation>
+    </message>
+    <message>
+        <source>A table (CSV) with a row for each press</source>
+        <translation>Un tableau (CSV) d’une ligne par appui</translation>
+    </message>
+    <message>
+        <source>Find the &amp;gains</source>
+        <translation>Trouver les &amp;gains</translation>
+    </message>
+    <message>
+        <source>Least squares over the presses under load</source>
+        <translation>Moindres carrés sur les appuis sous charge</translation>
+    </message>
+    <message>
+        <source>Columns that may be signals</source>
+        <translation>Colonnes qui peuvent être des signaux</translation>
+    </message>
+    <message>
+        <source>Gains of the signals</source>
+        <translation>Gains des signaux</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <comment>N per unit of a signal</comment>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Erreur type</translation>
+    </message>
+    <message>
+        <source>Presses from</source>
+        <comment>a signal</comment>
+        <translation>Appuis de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>a signal</comment>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>The newtons for one unit of each signal will be shown here.</source>
+        <translation>Les newtons pour une unité de chaque signal seront affichés ici.</translation>
+    </message>
+    <message>
+        <source>Calibration of a sensor to newtons</source>
+        <translation>Étalonnage d’un capteur en newtons</translation>
+    </message>
+</context>
+<context>
     <name>teleta::calibrate::MotorChart</name>
     <message>
         <source>Speed of motor %1 over its drive</source>
@@ -17907,18 +18079,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ce détecteur ne peut pas être utilisé&#xa0;: %1</translation>
     </message>
     <message>
-        <source>The arm follows contact %1.</source>
-        <translation>Le bras suit le contact %1.</translation>
-    </message>
-    <message>
-        <source>The arm is held.</source>
-        <translation>Le bras est maintenu.</translation>
-    </message>
-    <message>
-        <source>The arm is held. Tick the box to let it react again.</source>
-        <translation>Le bras est maintenu. Cochez la case pour le laisser réagir à nouveau.</translation>
-    </message>
-    <message>
         <source>&amp;Finder</source>
         <translation>&amp;Détecteur</translation>
     </message>
@@ -17937,10 +18097,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>New &amp;reference</source>
         <translation>Nouvelle &amp;référence</translation>
-    </message>
-    <message>
-        <source>The arm may r&amp;eact</source>
-        <translation>Le bras peut réa&amp;gir</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -17991,18 +18147,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Le détecteur %1 est en préparation.</translation>
     </message>
     <message>
-        <source>The arm has retreated from contact %1.</source>
-        <translation>Le bras s’est retiré du contact %1.</translation>
-    </message>
-    <message>
-        <source>The arm is at rest.</source>
-        <translation>Le bras est à l’arrêt.</translation>
-    </message>
-    <message>
-        <source>The arm is retreating from contact %1.</source>
-        <translation>Le bras se retire du contact %1.</translation>
-    </message>
-    <message>
         <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
         <translation>Comment les contacts sont trouvés&#xa0;: les points imprimés seuls, ou un flot dense selon l’un des préréglages d’OpenCV&#xa0;; le nombre divise la taille de l’image</translation>
     </message>
@@ -18013,10 +18157,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Freeze the picture; contacts are still tracked (Space)</source>
         <translation>Garder cette image&#xa0;; le suivi des contacts continue (Espace)</translation>
-    </message>
-    <message>
-        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
-        <translation>Désactivé&#xa0;: le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
     </message>
 </context>
 <context>
@@ -18195,6 +18335,14 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Slip index</source>
         <translation>Indice de glissement</translation>
     </message>
+    <message>
+        <source>BUMP</source>
+        <translation>CHOC</translation>
+    </message>
+    <message>
+        <source>arm follows</source>
+        <translation>le bras suit</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::GelEventTable</name>
@@ -18343,6 +18491,41 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Surface</source>
         <translation>Surface</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::ReactionRow</name>
+    <message>
+        <source>The arm has retreated from contact %1.</source>
+        <translation>Le bras s’est retiré du contact %1.</translation>
+    </message>
+    <message>
+        <source>The arm is at rest.</source>
+        <translation>Le bras est à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>The arm is retreating from contact %1.</source>
+        <translation>Le bras se retire du contact %1.</translation>
+    </message>
+    <message>
+        <source>The arm follows contact %1.</source>
+        <translation>Le bras suit le contact %1.</translation>
+    </message>
+    <message>
+        <source>The arm is held.</source>
+        <translation>Le bras est maintenu.</translation>
+    </message>
+    <message>
+        <source>The arm is held. Tick the box to let it react again.</source>
+        <translation>Le bras est maintenu. Cochez la case pour le laisser réagir à nouveau.</translation>
+    </message>
+    <message>
+        <source>The arm may r&amp;eact</source>
+        <translation>Le bras peut réa&amp;gir</translation>
+    </message>
+    <message>
+        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
+        <translation>Désactivé : le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
     </message>
 </context>
 <context>
@@ -18737,7 +18920,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Frames lost: not counted by the sensor</source>
-        <translation>Trames perdues : non comptées par le capteur</translation>
+        <translation>Trames perdues&#xa0;: non comptées par le capteur</translation>
     </message>
 </context>
 <context>
@@ -19204,6 +19387,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
         <translation>Ils sont perdus quand la source est fermée. La page Étalonnage les enregistre.</translation>
+    </message>
+    <message>
+        <source>Loads in newtons</source>
+        <translation>Charges en newtons</translation>
     </message>
 </context>
 <context>
@@ -20185,16 +20372,16 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Les colonnes sont des nombres et des plages, comme 2..85 ou 2..10,12.</translation>
     </message>
     <message>
-        <source>0.2 N, or a count</source>
-        <translation>0,2 N, ou un coup</translation>
-    </message>
-    <message>
         <source>Load from which a taxel is in contact, in the unit of the values</source>
         <translation>Charge à partir de laquelle un taxel est en contact, dans l’unité des valeurs</translation>
     </message>
     <message>
         <source>In contact &amp;from:</source>
         <translation>En contact à par&amp;tir de :</translation>
+    </message>
+    <message>
+        <source>0.2 N, or one count</source>
+        <translation>0,2 N, ou un coup</translation>
     </message>
 </context>
 <context>
@@ -20879,6 +21066,42 @@ Lancez teleta-site --help pour en savoir plus.
             <numerusform>%n message manqué</numerusform>
             <numerusform>%n messages manqués</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LoadCalibrator</name>
+    <message>
+        <source>the table has no load</source>
+        <translation>le tableau n’a pas de charge</translation>
+    </message>
+    <message>
+        <source>a column force_n, shear_x_n, shear_y_n or moment_nm</source>
+        <translation>une colonne force_n, shear_x_n, shear_y_n ou moment_nm</translation>
+    </message>
+    <message>
+        <source>Open presses with a known load</source>
+        <translation>Ouvrir des appuis de charge connue</translation>
+    </message>
+    <message>
+        <source>Presses (*.csv)</source>
+        <translation>Appuis (*.csv)</translation>
+    </message>
+    <message>
+        <source>Load a calibration</source>
+        <translation>Charger un étalonnage</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.csv)</source>
+        <translation>Étalonnages (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Enregistrer l’étalonnage</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>%1 n’a pas pu être enregistré.</translation>
     </message>
 </context>
 <context>
@@ -22885,8 +23108,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>les charges sont en %1, une unité sans seuil usuel</translation>
     </message>
     <message>
-        <source>from how many %1 a taxel is in contact</source>
-        <translation>à partir de combien de %1 un taxel est en contact</translation>
+        <source>in “In contact from”, from how many %1 a taxel is in contact</source>
+        <translation>dans « En contact à partir de », à partir de combien de %1 un taxel est en contact</translation>
     </message>
 </context>
 <context>

@@ -3825,6 +3825,22 @@ Examples:
         <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
         <translation>遅い回線越しに自分で操縦するか、スクリプトの操作者が見つけていくのを見ます</translation>
     </message>
+    <message>
+        <source>A ball bumps into a flat gel</source>
+        <translation>球が平らなゲルにぶつかる</translation>
+    </message>
+    <message>
+        <source>The arm that carries the gel draws back</source>
+        <translation>ゲルを持つアームが退く</translation>
+    </message>
+    <message>
+        <source>A ball leads a flat gel</source>
+        <translation>球が平らなゲルを引く</translation>
+    </message>
+    <message>
+        <source>The arm follows a ball that drags the gel along</source>
+        <translation>ゲルを引く球にアームが追従する</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -5180,6 +5196,27 @@ Examples:
     <message>
         <source>PAUSED</source>
         <translation>一時停止中</translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation>荷重 %1</translation>
+    </message>
+    <message>
+        <source>shear along x %1</source>
+        <translation>x方向のせん断 %1</translation>
+    </message>
+    <message>
+        <source>shear along y %1</source>
+        <translation>y方向のせん断 %1</translation>
+    </message>
+    <message>
+        <source>moment %1</source>
+        <translation>モーメント %1</translation>
+    </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>外挿</translation>
     </message>
 </context>
 <context>
@@ -17443,6 +17480,141 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::LoadsView</name>
+    <message>
+        <source>%1: off by %2 (standard deviation).</source>
+        <comment>a load</comment>
+        <translation>%1: ずれ %2 (標準偏差)。</translation>
+    </message>
+    <message>
+        <source>The presses tell the signals apart with a condition of %1; from %2 on they do not.</source>
+        <translation>押しは条件数%1で信号を区別します。%2からは区別できません。</translation>
+    </message>
+    <message>
+        <source>No presses</source>
+        <translation>押しがありません</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>計算中…</translation>
+    </message>
+    <message>
+        <source>no calibration yet</source>
+        <translation>キャリブレーションはまだありません</translation>
+    </message>
+    <message>
+        <source>calibration saved</source>
+        <translation>キャリブレーションは保存済み</translation>
+    </message>
+    <message>
+        <source>calibration not saved</source>
+        <translation>キャリブレーションは未保存</translation>
+    </message>
+    <message>
+        <source>1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.</source>
+        <translation>1. 1回の押しにつき1行の表(CSV)を開きます。センサーの信号と、force_n、shear_x_n、shear_y_n、moment_nmのいずれかの既知の荷重が必要です。すべての荷重が0の行が静止値になります。</translation>
+    </message>
+    <message>
+        <source>This one has %1.</source>
+        <translation>この表には%1があります。</translation>
+    </message>
+    <message>
+        <source>2. Tick the columns that are signals.</source>
+        <translation>2. 信号である列にチェックを入れます。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>最後の変更を元に戻す (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直し</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>最後に元に戻した変更をやり直す</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>読み込み(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Show a calibration from a file (CSV)</source>
+        <translation>ファイル(CSV)のキャリブレーションを表示する</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save the calibration (CSV) for the key “loads” of a sensor&apos;s file and the command line</source>
+        <translation>センサーのファイルのキー「loads」とコマンドラインのためにキャリブレーション(CSV)を保存する</translation>
+    </message>
+    <message>
+        <source>&amp;Open presses…</source>
+        <translation>押しを開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>A table (CSV) with a row for each press</source>
+        <translation>押しごとに1行の表(CSV)</translation>
+    </message>
+    <message>
+        <source>Find the &amp;gains</source>
+        <translation>ゲインを求める(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Least squares over the presses under load</source>
+        <translation>荷重のある押しにわたる最小二乗法</translation>
+    </message>
+    <message>
+        <source>Columns that may be signals</source>
+        <translation>信号になりうる列</translation>
+    </message>
+    <message>
+        <source>Gains of the signals</source>
+        <translation>信号のゲイン</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>荷重</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <comment>N per unit of a signal</comment>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>標準誤差</translation>
+    </message>
+    <message>
+        <source>Presses from</source>
+        <comment>a signal</comment>
+        <translation>押しの範囲 (から)</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>a signal</comment>
+        <translation>まで</translation>
+    </message>
+    <message>
+        <source>The newtons for one unit of each signal will be shown here.</source>
+        <translation>各信号の1単位あたりのニュートンがここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Calibration of a sensor to newtons</source>
+        <translation>センサーのニュートンへのキャリブレーション</translation>
+    </message>
+</context>
+<context>
     <name>teleta::calibrate::MotorChart</name>
     <message>
         <source>Speed of motor %1 over its drive</source>
@@ -17863,18 +18035,6 @@ Run teleta-site --help for more.
         <translation>この検出器は使用できません: %1</translation>
     </message>
     <message>
-        <source>The arm follows contact %1.</source>
-        <translation>アームは接触 %1 に追従しています。</translation>
-    </message>
-    <message>
-        <source>The arm is held.</source>
-        <translation>アームは保持されています。</translation>
-    </message>
-    <message>
-        <source>The arm is held. Tick the box to let it react again.</source>
-        <translation>アームは保持されています。再び反応させるにはチェックを入れてください。</translation>
-    </message>
-    <message>
         <source>&amp;Finder</source>
         <translation>検出器(&amp;F)</translation>
     </message>
@@ -17893,10 +18053,6 @@ Run teleta-site --help for more.
     <message>
         <source>New &amp;reference</source>
         <translation>新しい基準(&amp;R)</translation>
-    </message>
-    <message>
-        <source>The arm may r&amp;eact</source>
-        <translation>アームの反応を許可(&amp;E)</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -17947,18 +18103,6 @@ Run teleta-site --help for more.
         <translation>検出器 %1 を準備しています。</translation>
     </message>
     <message>
-        <source>The arm has retreated from contact %1.</source>
-        <translation>アームは接触 %1 から退避しました。</translation>
-    </message>
-    <message>
-        <source>The arm is at rest.</source>
-        <translation>アームは停止しています。</translation>
-    </message>
-    <message>
-        <source>The arm is retreating from contact %1.</source>
-        <translation>アームは接触 %1 から退避しています。</translation>
-    </message>
-    <message>
         <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
         <translation>接触の検出方法: 印刷ドットのみ、またはOpenCVのプリセットによる密オプティカルフロー。数字は画像サイズを割る数です</translation>
     </message>
@@ -17969,10 +18113,6 @@ Run teleta-site --help for more.
     <message>
         <source>Freeze the picture; contacts are still tracked (Space)</source>
         <translation>この画像を保持します。接触の追跡は続きます (Space)</translation>
-    </message>
-    <message>
-        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
-        <translation>オフ: 何が触れてもアームは停止したままです。STOPを押すと、再び許可するまでオフになります。</translation>
     </message>
 </context>
 <context>
@@ -18151,6 +18291,14 @@ Run teleta-site --help for more.
         <source>Slip index</source>
         <translation>滑り指数</translation>
     </message>
+    <message>
+        <source>BUMP</source>
+        <translation>衝突</translation>
+    </message>
+    <message>
+        <source>arm follows</source>
+        <translation>アームが追従</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::GelEventTable</name>
@@ -18296,6 +18444,41 @@ Run teleta-site --help for more.
     <message>
         <source>Surface</source>
         <translation>表面</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::ReactionRow</name>
+    <message>
+        <source>The arm has retreated from contact %1.</source>
+        <translation>アームは接触 %1 から退避しました。</translation>
+    </message>
+    <message>
+        <source>The arm is at rest.</source>
+        <translation>アームは停止しています。</translation>
+    </message>
+    <message>
+        <source>The arm is retreating from contact %1.</source>
+        <translation>アームは接触 %1 から退避しています。</translation>
+    </message>
+    <message>
+        <source>The arm follows contact %1.</source>
+        <translation>アームは接触 %1 に追従しています。</translation>
+    </message>
+    <message>
+        <source>The arm is held.</source>
+        <translation>アームは保持されています。</translation>
+    </message>
+    <message>
+        <source>The arm is held. Tick the box to let it react again.</source>
+        <translation>アームは保持されています。再び反応させるにはチェックを入れてください。</translation>
+    </message>
+    <message>
+        <source>The arm may r&amp;eact</source>
+        <translation>アームの反応を許可(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
+        <translation>オフ: 何が触れてもアームは停止したままです。STOPを押すと、再び許可するまでオフになります。</translation>
     </message>
 </context>
 <context>
@@ -19152,6 +19335,10 @@ Run teleta-site --help for more.
     <message>
         <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
         <translation>ソースを閉じると失われます。「キャリブレーション」ページで保存できます。</translation>
+    </message>
+    <message>
+        <source>Loads in newtons</source>
+        <translation>ニュートンの荷重</translation>
     </message>
 </context>
 <context>
@@ -20129,16 +20316,16 @@ Run teleta-site --help for more.
         <translation>列は番号と範囲で示します（例：2..85、2..10,12）。</translation>
     </message>
     <message>
-        <source>0.2 N, or a count</source>
-        <translation>0.2 Nまたは1カウント</translation>
-    </message>
-    <message>
         <source>Load from which a taxel is in contact, in the unit of the values</source>
         <translation>タクセルが接触とみなされる荷重 (値の単位)</translation>
     </message>
     <message>
         <source>In contact &amp;from:</source>
         <translation>接触とみなす荷重(&amp;F):</translation>
+    </message>
+    <message>
+        <source>0.2 N, or one count</source>
+        <translation>0.2 Nまたは1カウント</translation>
     </message>
 </context>
 <context>
@@ -20819,6 +21006,42 @@ Run teleta-site --help for more.
         <translation>
             <numerusform>メッセージ%n件の欠落</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LoadCalibrator</name>
+    <message>
+        <source>the table has no load</source>
+        <translation>表に荷重がありません</translation>
+    </message>
+    <message>
+        <source>a column force_n, shear_x_n, shear_y_n or moment_nm</source>
+        <translation>force_n、shear_x_n、shear_y_n、moment_nmのいずれかの列</translation>
+    </message>
+    <message>
+        <source>Open presses with a known load</source>
+        <translation>既知の荷重の押しを開く</translation>
+    </message>
+    <message>
+        <source>Presses (*.csv)</source>
+        <translation>押し (*.csv)</translation>
+    </message>
+    <message>
+        <source>Load a calibration</source>
+        <translation>キャリブレーションを読み込む</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.csv)</source>
+        <translation>キャリブレーション (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>キャリブレーションを保存する</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>%1を保存できませんでした。</translation>
     </message>
 </context>
 <context>
@@ -22816,8 +23039,8 @@ Run teleta-site --help for more.
         <translation>荷重の単位%1には通常のしきい値がありません</translation>
     </message>
     <message>
-        <source>from how many %1 a taxel is in contact</source>
-        <translation>何%1からタクセルを接触とみなすか</translation>
+        <source>in “In contact from”, from how many %1 a taxel is in contact</source>
+        <translation>「接触とみなす荷重」に、何%1からタクセルを接触とみなすか</translation>
     </message>
 </context>
 <context>

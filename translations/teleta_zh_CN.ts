@@ -3825,6 +3825,22 @@ Examples:
         <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
         <translation>通过慢速链路自行操控，或观看脚本操作员逐一找到它们</translation>
     </message>
+    <message>
+        <source>A ball bumps into a flat gel</source>
+        <translation>小球撞上平面凝胶</translation>
+    </message>
+    <message>
+        <source>The arm that carries the gel draws back</source>
+        <translation>携带凝胶的机械臂后退</translation>
+    </message>
+    <message>
+        <source>A ball leads a flat gel</source>
+        <translation>小球牵引平面凝胶</translation>
+    </message>
+    <message>
+        <source>The arm follows a ball that drags the gel along</source>
+        <translation>机械臂跟随拖动凝胶的小球</translation>
+    </message>
 </context>
 <context>
     <name>DeviceState</name>
@@ -5180,6 +5196,27 @@ Examples:
     <message>
         <source>PAUSED</source>
         <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>load %1</source>
+        <translation>载荷 %1</translation>
+    </message>
+    <message>
+        <source>shear along x %1</source>
+        <translation>沿 x 的剪切 %1</translation>
+    </message>
+    <message>
+        <source>shear along y %1</source>
+        <translation>沿 y 的剪切 %1</translation>
+    </message>
+    <message>
+        <source>moment %1</source>
+        <translation>力矩 %1</translation>
+    </message>
+    <message>
+        <source>extrapolated</source>
+        <comment>loads</comment>
+        <translation>外推</translation>
     </message>
 </context>
 <context>
@@ -17443,6 +17480,141 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::LoadsView</name>
+    <message>
+        <source>%1: off by %2 (standard deviation).</source>
+        <comment>a load</comment>
+        <translation>%1：偏差 %2（标准差）。</translation>
+    </message>
+    <message>
+        <source>The presses tell the signals apart with a condition of %1; from %2 on they do not.</source>
+        <translation>这些按压区分各信号的条件数为 %1；从 %2 起无法区分。</translation>
+    </message>
+    <message>
+        <source>No presses</source>
+        <translation>没有按压</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>正在计算…</translation>
+    </message>
+    <message>
+        <source>no calibration yet</source>
+        <translation>尚无标定</translation>
+    </message>
+    <message>
+        <source>calibration saved</source>
+        <translation>标定已保存</translation>
+    </message>
+    <message>
+        <source>calibration not saved</source>
+        <translation>标定未保存</translation>
+    </message>
+    <message>
+        <source>1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.</source>
+        <translation>1. 打开每次按压一行的表格（CSV）：传感器的信号，以及 force_n、shear_x_n、shear_y_n 或 moment_nm 中的已知载荷。所有载荷为 0 的行给出静止值。</translation>
+    </message>
+    <message>
+        <source>This one has %1.</source>
+        <translation>此表格含 %1。</translation>
+    </message>
+    <message>
+        <source>2. Tick the columns that are signals.</source>
+        <translation>2. 勾选作为信号的列。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>撤销上一步更改 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Redo the change undone last</source>
+        <translation>重做上一步撤销的更改</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>载入(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Show a calibration from a file (CSV)</source>
+        <translation>显示文件（CSV）中的标定</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save the calibration (CSV) for the key “loads” of a sensor&apos;s file and the command line</source>
+        <translation>保存标定（CSV），供传感器文件的键“loads”和命令行使用</translation>
+    </message>
+    <message>
+        <source>&amp;Open presses…</source>
+        <translation>打开按压(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>A table (CSV) with a row for each press</source>
+        <translation>每次按压一行的表格（CSV）</translation>
+    </message>
+    <message>
+        <source>Find the &amp;gains</source>
+        <translation>求增益(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Least squares over the presses under load</source>
+        <translation>对有载荷的按压做最小二乘</translation>
+    </message>
+    <message>
+        <source>Columns that may be signals</source>
+        <translation>可作信号的列</translation>
+    </message>
+    <message>
+        <source>Gains of the signals</source>
+        <translation>信号的增益</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>载荷</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <comment>N per unit of a signal</comment>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>标准误差</translation>
+    </message>
+    <message>
+        <source>Presses from</source>
+        <comment>a signal</comment>
+        <translation>按压自</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>a signal</comment>
+        <translation>至</translation>
+    </message>
+    <message>
+        <source>The newtons for one unit of each signal will be shown here.</source>
+        <translation>每个信号一个单位对应的牛顿将显示在此处。</translation>
+    </message>
+    <message>
+        <source>Calibration of a sensor to newtons</source>
+        <translation>将传感器标定为牛顿</translation>
+    </message>
+</context>
+<context>
     <name>teleta::calibrate::MotorChart</name>
     <message>
         <source>Speed of motor %1 over its drive</source>
@@ -17863,18 +18035,6 @@ Run teleta-site --help for more.
         <translation>此检测器无法使用：%1</translation>
     </message>
     <message>
-        <source>The arm follows contact %1.</source>
-        <translation>机械臂正跟随接触 %1。</translation>
-    </message>
-    <message>
-        <source>The arm is held.</source>
-        <translation>机械臂处于保持状态。</translation>
-    </message>
-    <message>
-        <source>The arm is held. Tick the box to let it react again.</source>
-        <translation>机械臂处于保持状态。勾选此框可让它再次做出反应。</translation>
-    </message>
-    <message>
         <source>&amp;Finder</source>
         <translation>检测器(&amp;F)</translation>
     </message>
@@ -17893,10 +18053,6 @@ Run teleta-site --help for more.
     <message>
         <source>New &amp;reference</source>
         <translation>新参考(&amp;R)</translation>
-    </message>
-    <message>
-        <source>The arm may r&amp;eact</source>
-        <translation>允许机械臂反应(&amp;E)</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -17947,18 +18103,6 @@ Run teleta-site --help for more.
         <translation>正在准备检测器 %1。</translation>
     </message>
     <message>
-        <source>The arm has retreated from contact %1.</source>
-        <translation>机械臂已从接触 %1 退缩。</translation>
-    </message>
-    <message>
-        <source>The arm is at rest.</source>
-        <translation>机械臂静止。</translation>
-    </message>
-    <message>
-        <source>The arm is retreating from contact %1.</source>
-        <translation>机械臂正从接触 %1 退缩。</translation>
-    </message>
-    <message>
         <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
         <translation>接触的检测方式：仅用印刷圆点，或采用 OpenCV 预设之一的稠密光流；数字为图像尺寸的除数</translation>
     </message>
@@ -17969,10 +18113,6 @@ Run teleta-site --help for more.
     <message>
         <source>Freeze the picture; contacts are still tracked (Space)</source>
         <translation>冻结此图像；接触仍继续跟踪（空格键）</translation>
-    </message>
-    <message>
-        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
-        <translation>关闭：无论什么接触软管，机械臂都静止。STOP 会取消此许可，直到您再次授予。</translation>
     </message>
 </context>
 <context>
@@ -18151,6 +18291,14 @@ Run teleta-site --help for more.
         <source>Slip index</source>
         <translation>滑动指数</translation>
     </message>
+    <message>
+        <source>BUMP</source>
+        <translation>碰撞</translation>
+    </message>
+    <message>
+        <source>arm follows</source>
+        <translation>机械臂跟随</translation>
+    </message>
 </context>
 <context>
     <name>teleta::camera::GelEventTable</name>
@@ -18296,6 +18444,41 @@ Run teleta-site --help for more.
     <message>
         <source>Surface</source>
         <translation>表面</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::camera::ReactionRow</name>
+    <message>
+        <source>The arm has retreated from contact %1.</source>
+        <translation>机械臂已从接触 %1 退缩。</translation>
+    </message>
+    <message>
+        <source>The arm is at rest.</source>
+        <translation>机械臂静止。</translation>
+    </message>
+    <message>
+        <source>The arm is retreating from contact %1.</source>
+        <translation>机械臂正从接触 %1 退缩。</translation>
+    </message>
+    <message>
+        <source>The arm follows contact %1.</source>
+        <translation>机械臂正跟随接触 %1。</translation>
+    </message>
+    <message>
+        <source>The arm is held.</source>
+        <translation>机械臂处于保持状态。</translation>
+    </message>
+    <message>
+        <source>The arm is held. Tick the box to let it react again.</source>
+        <translation>机械臂处于保持状态。勾选此框可让它再次做出反应。</translation>
+    </message>
+    <message>
+        <source>The arm may r&amp;eact</source>
+        <translation>允许机械臂反应(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
+        <translation>关闭：无论什么接触软管，机械臂都静止。STOP 会取消此许可，直到您再次授予。</translation>
     </message>
 </context>
 <context>
@@ -19152,6 +19335,10 @@ Run teleta-site --help for more.
     <message>
         <source>They are lost when the source is closed. Save them on the page Calibrate.</source>
         <translation>关闭该来源后将丢失。可在“标定”页保存。</translation>
+    </message>
+    <message>
+        <source>Loads in newtons</source>
+        <translation>以牛顿表示载荷</translation>
     </message>
 </context>
 <context>
@@ -20129,16 +20316,16 @@ Run teleta-site --help for more.
         <translation>列用编号和范围表示，例如 2..85 或 2..10,12。</translation>
     </message>
     <message>
-        <source>0.2 N, or a count</source>
-        <translation>0.2 N 或一个计数</translation>
-    </message>
-    <message>
         <source>Load from which a taxel is in contact, in the unit of the values</source>
         <translation>触觉单元算作接触的起始负载，单位与数值相同</translation>
     </message>
     <message>
         <source>In contact &amp;from:</source>
         <translation>接触起始值(&amp;F)：</translation>
+    </message>
+    <message>
+        <source>0.2 N, or one count</source>
+        <translation>0.2 N 或一个计数</translation>
     </message>
 </context>
 <context>
@@ -20819,6 +21006,42 @@ Run teleta-site --help for more.
         <translation>
             <numerusform>遗漏 %n 条消息</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LoadCalibrator</name>
+    <message>
+        <source>the table has no load</source>
+        <translation>表格中没有载荷</translation>
+    </message>
+    <message>
+        <source>a column force_n, shear_x_n, shear_y_n or moment_nm</source>
+        <translation>列 force_n、shear_x_n、shear_y_n 或 moment_nm</translation>
+    </message>
+    <message>
+        <source>Open presses with a known load</source>
+        <translation>打开已知载荷的按压</translation>
+    </message>
+    <message>
+        <source>Presses (*.csv)</source>
+        <translation>按压 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Load a calibration</source>
+        <translation>载入标定</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.csv)</source>
+        <translation>标定 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>保存标定</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved.</source>
+        <comment>a file</comment>
+        <translation>无法保存 %1。</translation>
     </message>
 </context>
 <context>
@@ -22816,8 +23039,8 @@ Run teleta-site --help for more.
         <translation>负载的单位是 %1，它没有通用的阈值</translation>
     </message>
     <message>
-        <source>from how many %1 a taxel is in contact</source>
-        <translation>从多少 %1 起触觉单元算作接触</translation>
+        <source>in “In contact from”, from how many %1 a taxel is in contact</source>
+        <translation>在“接触起始值”中写明从多少 %1 起触觉单元算作接触</translation>
     </message>
 </context>
 <context>
