@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace teleta::core {
 
@@ -43,9 +45,11 @@ TaxelPlaces::sameOf(const std::vector<TaxelPlace>& places) {
 TaxelPlaces::TaxelPlaces(std::vector<TaxelPlace> places)
     : m_places(std::move(places))
     , m_neighbours(m_places.size())
-    , m_spacing_m(m_places.size(), kLoneSpacing_m) {
+    , m_spacing_m(m_places.size(), kLoneSpacing_m)
+    , m_area_m2(m_places.size()) {
     measureSpacings();
     joinNeighbours();
+    measureAreas();
 }
 
 void TaxelPlaces::measureSpacings() {
@@ -62,6 +66,26 @@ void TaxelPlaces::measureSpacings() {
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::ranges::nth_element(sorted, middle);
     m_pitch_m = *middle;
+}
+
+void TaxelPlaces::measureAreas() {
+    constexpr double kNext =
+        1.2; // of a square grid's neighbours, four are a pitch away and four sqrt(2) of it
+    constexpr std::ptrdiff_t kInTriangles = 6;
+    const auto isNext = [this](std::size_t taxel, std::size_t other) {
+        return distance_m(m_places[taxel], m_places[other]) <= kNext * m_spacing_m[taxel];
+    };
+    const auto isInTriangles = [&](std::size_t taxel) {
+        return std::ranges::count_if(m_neighbours[taxel],
+                                     [&](std::size_t other) { return isNext(taxel, other); }) == kInTriangles;
+    };
+    for (std::size_t i = 0; i < m_places.size(); ++i) {
+        const bool inTriangles =
+            isInTriangles(i) || std::ranges::any_of(m_neighbours[i], [&](std::size_t other) {
+                return isNext(other, i) && isInTriangles(other);
+            });
+        m_area_m2[i] = m_spacing_m[i] * m_spacing_m[i] * (inTriangles ? std::numbers::sqrt3 / 2.0 : 1.0);
+    }
 }
 
 void TaxelPlaces::joinNeighbours() {

@@ -49,18 +49,21 @@ public:
     [[nodiscard]] double spacing_m(std::size_t taxel) const { return m_spacing_m[taxel]; }
     /// The median of the spacings.
     [[nodiscard]] double pitch_m() const { return m_pitch_m; }
-    /// Square of the spacing: on a square grid the area of a cell.
-    [[nodiscard]] double area_m2(std::size_t taxel) const { return m_spacing_m[taxel] * m_spacing_m[taxel]; }
+    /// Of the cell of a taxel. Square of the spacing p, as on a square grid; sqrt(3) / 2 p^2 where the taxels
+    /// stand in triangles: a taxel with six others within 1.2 p, and the next ones to such a taxel.
+    [[nodiscard]] double area_m2(std::size_t taxel) const { return m_area_m2[taxel]; }
 
     bool operator==(const TaxelPlaces& other) const { return m_places == other.m_places; }
 
 private:
     void measureSpacings();
     void joinNeighbours();
+    void measureAreas();
 
     std::vector<TaxelPlace> m_places;
     std::vector<std::vector<std::size_t>> m_neighbours;
     std::vector<double> m_spacing_m;
+    std::vector<double> m_area_m2;
     double m_pitch_m = kLoneSpacing_m;
 };
 

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,23 @@ TEST(TaxelPlaces, joinsTheEightAroundATaxelOfAGrid) {
         EXPECT_EQ(neighboursOf(places, 0), (std::vector<std::size_t>{1, 5, 6}));
         EXPECT_DOUBLE_EQ(places.pitch_m(), 0.004);
     }
+}
+
+TEST(TaxelPlaces, aTaxelInTrianglesHasAHexagonForACell) {
+    // Seven taxels, six around one: all have the cell of the one in the middle.
+    constexpr double kPitch_m = 0.004;
+    std::vector<TaxelPlace> seven{{}};
+    for (int i = 0; i < 6; ++i)
+        seven.push_back({kPitch_m * std::cos(i * std::numbers::pi / 3.0),
+                         kPitch_m * std::sin(i * std::numbers::pi / 3.0)});
+    const TaxelPlaces places(seven);
+    // A hexagon with its sides p / 2 from its middle: 6 triangles of height p / 2.
+    const double hexagon_m2 = 6.0 * 0.5 * (kPitch_m / 2.0) * (kPitch_m / std::numbers::sqrt3);
+    for (std::size_t taxel = 0; taxel < 7; ++taxel)
+        EXPECT_NEAR(places.area_m2(taxel), hexagon_m2, 1e-12 * hexagon_m2) << taxel;
+    const TaxelPlaces squares(gridOf(4, 5, kPitch_m, kPitch_m));
+    for (std::size_t taxel = 0; taxel < 20; ++taxel)
+        EXPECT_NEAR(squares.area_m2(taxel), kPitch_m * kPitch_m, 1e-12 * kPitch_m) << taxel;
 }
 
 TEST(TaxelPlaces, joinsTaxelsOfALineToTheNextOnes) {
