@@ -18525,7 +18525,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Off: the arm does not react to touch. STOP unticks this; tick it again to let the arm react.</source>
-        <translation>Désactivé : le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
+        <translation>Désactivé&#xa0;: le bras ne bouge pas, quoi qui le touche. STOP retire cette autorisation jusqu’à ce que vous la redonniez.</translation>
     </message>
 </context>
 <context>
@@ -27063,38 +27063,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Les droites parallèles restent parallèles&#xa0;: pas de perspective</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>Grille</translation>
-    </message>
-    <message>
-        <source>Show the ground with a grid in millimetres</source>
-        <translation>Afficher le sol avec une grille en millimètres</translation>
-    </message>
-    <message>
-        <source>Axes</source>
-        <translation>Axes</translation>
-    </message>
-    <message>
-        <source>Show the axes of the array&apos;s frame</source>
-        <translation>Afficher les axes du repère de la matrice</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Déplacement</translation>
-    </message>
-    <message>
-        <source>Show how far each contact moved since it began</source>
-        <translation>Afficher le déplacement de chaque contact depuis son début</translation>
-    </message>
-    <message>
-        <source>Contact labels</source>
-        <translation>Étiquettes des contacts</translation>
-    </message>
-    <message>
-        <source>Show number and force at each contact</source>
-        <translation>Afficher numéro et force à chaque contact</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Copier l’image</translation>
     </message>
@@ -27147,6 +27115,53 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Retour au départ&#xa0;: tout, depuis un coin</translation>
     </message>
     <message>
+        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
+        <translation>Garder au milieu le contact le plus fort, ou la main du bras tant que rien n’est touché</translation>
+    </message>
+    <message>
+        <source>From the hand</source>
+        <translation>Depuis la main</translation>
+    </message>
+    <message>
+        <source>Look along with the tactile array: the camera moves and turns with the hand that carries it</source>
+        <translation>Regarder avec la matrice tactile : la caméra se déplace et tourne avec la main qui la porte</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::view3d::SceneLayers</name>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Show the ground with a grid in millimetres</source>
+        <translation>Afficher le sol avec une grille en millimètres</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Show the axes of the array&apos;s frame</source>
+        <translation>Afficher les axes du repère de la matrice</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Show how far each contact moved since it began</source>
+        <translation>Afficher le déplacement de chaque contact depuis son début</translation>
+    </message>
+    <message>
+        <source>Contact labels</source>
+        <translation>Étiquettes des contacts</translation>
+    </message>
+    <message>
+        <source>Show number and force at each contact</source>
+        <translation>Afficher numéro et force à chaque contact</translation>
+    </message>
+    <message>
         <source>Trail of the tip</source>
         <translation>Trace de la pointe</translation>
     </message>
@@ -27185,10 +27200,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Show what a simulated scene has around the arm</source>
         <translation>Montrer ce qu’une scène simulée place autour du bras</translation>
-    </message>
-    <message>
-        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
-        <translation>Garder au milieu le contact le plus fort, ou la main du bras tant que rien n’est touché</translation>
     </message>
 </context>
 <context>

@@ -26988,38 +26988,6 @@ Double-click to type the upper end.</source>
         <translation>平行線を平行のまま表示します: 遠近感なし</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>グリッド</translation>
-    </message>
-    <message>
-        <source>Show the ground with a grid in millimetres</source>
-        <translation>ミリメートル単位のグリッド付きの床を表示します</translation>
-    </message>
-    <message>
-        <source>Axes</source>
-        <translation>座標軸</translation>
-    </message>
-    <message>
-        <source>Show the axes of the array&apos;s frame</source>
-        <translation>アレイ座標系の軸を表示します</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>変位</translation>
-    </message>
-    <message>
-        <source>Show how far each contact moved since it began</source>
-        <translation>各接触が開始時からどれだけ動いたかを表示します</translation>
-    </message>
-    <message>
-        <source>Contact labels</source>
-        <translation>接触ラベル</translation>
-    </message>
-    <message>
-        <source>Show number and force at each contact</source>
-        <translation>各接触に番号と力を表示します</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>画像をコピー</translation>
     </message>
@@ -27072,6 +27040,53 @@ Double-click to type the upper end.</source>
         <translation>最初の表示に戻ります: 全体を角から表示</translation>
     </message>
     <message>
+        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
+        <translation>最も強い接触を、何にも触れていない間はアームの手先を中央に保ちます</translation>
+    </message>
+    <message>
+        <source>From the hand</source>
+        <translation>ハンドから</translation>
+    </message>
+    <message>
+        <source>Look along with the tactile array: the camera moves and turns with the hand that carries it</source>
+        <translation>触覚アレイとともに見る：カメラはアレイを持つハンドとともに動き、回ります</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::view3d::SceneLayers</name>
+    <message>
+        <source>Grid</source>
+        <translation>グリッド</translation>
+    </message>
+    <message>
+        <source>Show the ground with a grid in millimetres</source>
+        <translation>ミリメートル単位のグリッド付きの床を表示します</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>座標軸</translation>
+    </message>
+    <message>
+        <source>Show the axes of the array&apos;s frame</source>
+        <translation>アレイ座標系の軸を表示します</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>変位</translation>
+    </message>
+    <message>
+        <source>Show how far each contact moved since it began</source>
+        <translation>各接触が開始時からどれだけ動いたかを表示します</translation>
+    </message>
+    <message>
+        <source>Contact labels</source>
+        <translation>接触ラベル</translation>
+    </message>
+    <message>
+        <source>Show number and force at each contact</source>
+        <translation>各接触に番号と力を表示します</translation>
+    </message>
+    <message>
         <source>Trail of the tip</source>
         <translation>先端の軌跡</translation>
     </message>
@@ -27110,10 +27125,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show what a simulated scene has around the arm</source>
         <translation>シミュレーションのシーンでアームの周りにあるものを表示します</translation>
-    </message>
-    <message>
-        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
-        <translation>最も強い接触を、何にも触れていない間はアームの手先を中央に保ちます</translation>
     </message>
 </context>
 <context>

@@ -26988,38 +26988,6 @@ Double-click to type the upper end.</source>
         <translation>平行线保持平行：无透视</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>网格</translation>
-    </message>
-    <message>
-        <source>Show the ground with a grid in millimetres</source>
-        <translation>显示带毫米网格的地面</translation>
-    </message>
-    <message>
-        <source>Axes</source>
-        <translation>坐标轴</translation>
-    </message>
-    <message>
-        <source>Show the axes of the array&apos;s frame</source>
-        <translation>显示阵列坐标系的坐标轴</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>位移</translation>
-    </message>
-    <message>
-        <source>Show how far each contact moved since it began</source>
-        <translation>显示各接触自开始以来移动了多远</translation>
-    </message>
-    <message>
-        <source>Contact labels</source>
-        <translation>接触标签</translation>
-    </message>
-    <message>
-        <source>Show number and force at each contact</source>
-        <translation>显示各接触的编号和力</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>复制图片</translation>
     </message>
@@ -27072,6 +27040,53 @@ Double-click to type the upper end.</source>
         <translation>回到初始视角：从角上看全部内容</translation>
     </message>
     <message>
+        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
+        <translation>使最强的接触保持在中央；未接触时则为机械臂的手部</translation>
+    </message>
+    <message>
+        <source>From the hand</source>
+        <translation>从手上看</translation>
+    </message>
+    <message>
+        <source>Look along with the tactile array: the camera moves and turns with the hand that carries it</source>
+        <translation>随触觉阵列一起看：相机随携带它的手移动和转动</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::view3d::SceneLayers</name>
+    <message>
+        <source>Grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Show the ground with a grid in millimetres</source>
+        <translation>显示带毫米网格的地面</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>Show the axes of the array&apos;s frame</source>
+        <translation>显示阵列坐标系的坐标轴</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>位移</translation>
+    </message>
+    <message>
+        <source>Show how far each contact moved since it began</source>
+        <translation>显示各接触自开始以来移动了多远</translation>
+    </message>
+    <message>
+        <source>Contact labels</source>
+        <translation>接触标签</translation>
+    </message>
+    <message>
+        <source>Show number and force at each contact</source>
+        <translation>显示各接触的编号和力</translation>
+    </message>
+    <message>
         <source>Trail of the tip</source>
         <translation>末端轨迹</translation>
     </message>
@@ -27110,10 +27125,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>Show what a simulated scene has around the arm</source>
         <translation>显示仿真场景中机械臂周围的物体</translation>
-    </message>
-    <message>
-        <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
-        <translation>使最强的接触保持在中央；未接触时则为机械臂的手部</translation>
     </message>
 </context>
 <context>

@@ -63,12 +63,11 @@ OverlayContent OverlayMaker::make(const TouchScene& scene, const SceneMarks& mar
     }
 
     content.orientationShown = true;
-    const Orbit& orbit = camera.orbit();
-    const Eigen::Vector3d right = orbit.up().cross(orbit.direction());
-    for (int axis = 0; axis < 3; ++axis) {
-        content.orientation[static_cast<std::size_t>(axis)] = {right[axis], orbit.up()[axis],
-                                                               orbit.direction()[axis]};
-    }
+    const Eigen::Vector3d right = camera.right();
+    const Eigen::Vector3d up = camera.up();
+    const Eigen::Vector3d towards = camera.direction();
+    for (int axis = 0; axis < 3; ++axis)
+        content.orientation[static_cast<std::size_t>(axis)] = {right[axis], up[axis], towards[axis]};
     content.legend = legendOf(scene, marks.wrench, request);
 
     if (scene.hasSensor()) {

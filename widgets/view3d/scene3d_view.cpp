@@ -109,6 +109,7 @@ struct Scene3dView::Parts {
     QList<QAction*> presets;
     QAction* reset = nullptr;
     QAction* follow = nullptr;
+    QAction* onHand = nullptr;
     QAction* parallel = nullptr;
     QAction* copyPicture = nullptr;
     QAction* saveGeometry = nullptr;
@@ -214,6 +215,14 @@ void Scene3dView::makeActions() {
     connect(parts.reset, &QAction::triggered, this, &Scene3dView::resetView);
     parts.follow = make(ViewIcon::follow, {QKeySequence(Qt::Key_F)}, true);
     parts.follow->setObjectName(QStringLiteral("follow"));
+    parts.onHand = make(ViewIcon::onHand, {QKeySequence(Qt::Key_6)}, true);
+    parts.onHand->setObjectName(QStringLiteral("onHand"));
+    connect(parts.onHand, &QAction::toggled, this, [this](bool on) {
+        if (on)
+            sceneMoved(false);
+        else if (m_parts->camera.isOnHand())
+            resetView();
+    });
     parts.parallel = make(ViewIcon::parallel, {QKeySequence(Qt::Key_5)}, true);
     parts.parallel->setObjectName(QStringLiteral("parallel"));
     connect(parts.parallel, &QAction::toggled, this, [this](bool on) { m_parts->camera.setParallel(on); });
@@ -238,7 +247,7 @@ void Scene3dView::makeToolBar() {
     parts.toolBar->addActions(parts.presets);
     parts.toolBar->addAction(parts.reset);
     parts.toolBar->addSeparator();
-    parts.toolBar->addActions({parts.follow, parts.parallel});
+    parts.toolBar->addActions({parts.follow, parts.onHand, parts.parallel});
     parts.toolBar->addSeparator();
     for (const SceneLayers::Layer layer : {SceneLayers::grid, SceneLayers::axes, SceneLayers::displacement})
         parts.toolBar->addAction(parts.layers->action(layer));
@@ -261,23 +270,10 @@ void Scene3dView::retranslate() {
     name(parts.reset, tr("Show all"), tr("Back to the initial view: everything from a corner"));
     name(parts.follow, tr("Follow contact"),
          tr("Keep the strongest contact in the middle, or the arm's hand while nothing is touched"));
+    name(parts.onHand, tr("From the hand"),
+         tr("Look along with the tactile array: the camera moves and turns with the hand that carries it"));
     name(parts.parallel, tr("Orthographic"), tr("Parallel lines stay parallel: no perspective"));
-    const auto layer = [&](SceneLayers::Layer which, const QString& text, const QString& help) {
-        name(parts.layers->action(which), text, help);
-    };
-    layer(SceneLayers::grid, tr("Grid"), tr("Show the ground with a grid in millimetres"));
-    layer(SceneLayers::axes, tr("Axes"), tr("Show the axes of the array's frame"));
-    layer(SceneLayers::displacement, tr("Displacement"),
-          tr("Show how far each contact moved since it began"));
-    layer(SceneLayers::contactLabels, tr("Contact labels"), tr("Show number and force at each contact"));
-    layer(SceneLayers::trail, tr("Trail of the tip"), tr("Show where the arm's tip was in the last 5 s"));
-    layer(SceneLayers::jointLimits, tr("Joint limits"),
-          tr("Show range and angle of each joint that is near the end of its range"));
-    layer(SceneLayers::forces, tr("Forces"), tr("Show forces as arrows"));
-    layer(SceneLayers::moments, tr("Moments"),
-          tr("Show the moment of the loads on a flat array about their centre, as an arrow that turns"));
-    layer(SceneLayers::scenery, tr("Objects of the scene"),
-          tr("Show what a simulated scene has around the arm"));
+    parts.layers->retranslate();
     name(parts.copyPicture, tr("Copy picture"), tr("Copy the picture"));
     name(parts.saveGeometry, tr("Export geometry…"), tr("Save the scene for other programs: VTP, PLY, STL"));
     parts.toolBar->setAccessibleName(tr("3-D view"));
@@ -299,7 +295,7 @@ void Scene3dView::fillMenu(QMenu& menu) {
     menu.addSeparator();
     menu.addActions({parts.plate, parts.cylinder});
     menu.addSeparator();
-    menu.addActions({parts.follow, parts.parallel});
+    menu.addActions({parts.follow, parts.onHand, parts.parallel});
     menu.addSeparator();
     menu.addActions(parts.layers->actions());
     menu.addSeparator();
@@ -345,6 +341,8 @@ void Scene3dView::sceneMoved(bool refit) {
     for (int corner = 0; corner < 8 && !scenery.isEmpty(); ++corner)
         corners.push_back(scenery.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
     m_parts->camera.setScene(std::move(corners), refit);
+    if (m_parts->onHand->isChecked())
+        m_parts->camera.standOnHand(sensorPose(), m_parts->scene.sensorSize().radius_m());
 }
 
 void Scene3dView::clear() {
@@ -508,6 +506,7 @@ void Scene3dView::setGel(const pipeline::GelSnapshot* snapshot, double enlargeme
 
 void Scene3dView::look(CameraPreset preset) {
     m_parts->camera.look(preset);
+    m_parts->onHand->setChecked(false);
 }
 
 const Orbit& Scene3dView::orbit() const {

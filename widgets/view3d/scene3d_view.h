@@ -35,7 +35,8 @@ namespace teleta::view3d {
 ///
 /// Mouse: left turns, middle or Shift+left moves, right or wheel zooms, right click opens the menu; hover
 /// names a contact, a left click picks an object. Keys: 1 front, 2 top, 3 side, 4 isometric, R or Home the
-/// initial view, 5 projection, F follow, arrows turn, Shift+arrows move, + - zoom, Ctrl+C copies the picture.
+/// initial view, 5 projection, 6 from the hand, F follow, arrows
+/// turn, Shift+arrows move, + - zoom, Ctrl+C copies the picture.
 /// Thread: GUI.
 class Scene3dView : public QWidget {
     Q_OBJECT

@@ -24,6 +24,10 @@ constexpr double kLeastRadius_m = 1e-4;
 constexpr double kFollowTime_s = 0.3;
 /// Distance of the target from the middle, as a share of the visible height, at which the camera moves.
 constexpr double kFollowRest = 0.04;
+/// Of the hand's camera: from behind, over what the hand carries, in radii of that.
+constexpr Orbit kOnHand{-0.5 * std::numbers::pi, 30.0 * std::numbers::pi / 180.0};
+constexpr double kHandDistance = 9.0;
+constexpr double kUsualHand_m = 0.03;
 constexpr double kNearest = 1e-3; ///< near plane over far plane
 
 } // namespace
@@ -46,8 +50,22 @@ void SceneCamera::setAspect(double aspect) {
 }
 
 void SceneCamera::look(CameraPreset preset) {
+    m_X_World_Hand.reset();
     m_orbit = orbitOf(preset);
     fit();
+    apply();
+}
+
+void SceneCamera::standOnHand(const Eigen::Isometry3d& X_World_Sensor, double radius_m) {
+    if (!X_World_Sensor.matrix().allFinite())
+        return;
+    if (!m_X_World_Hand) {
+        m_orbit = kOnHand;
+        m_focal_m.setZero();
+        m_distance_m = kHandDistance * (radius_m > 0.0 ? radius_m : kUsualHand_m);
+        m_fitted = false;
+    }
+    m_X_World_Hand = X_World_Sensor * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
     apply();
 }
 
@@ -78,7 +96,7 @@ void SceneCamera::setParallel(bool parallel) {
 }
 
 void SceneCamera::follow(const Eigen::Vector3d& target_m, double elapsed_s) {
-    if (!target_m.allFinite())
+    if (!target_m.allFinite() || isOnHand())
         return;
     const Eigen::Vector3d way_m = target_m - m_focal_m;
     const double rest_m = kFollowRest * visibleHeight_m();
@@ -140,11 +158,12 @@ void SceneCamera::fitTo(const std::vector<Eigen::Vector3d>& corners_m) {
 }
 
 void SceneCamera::apply() {
-    const Eigen::Vector3d position_m = m_focal_m + m_distance_m * m_orbit.direction();
-    const Eigen::Vector3d up = m_orbit.up();
+    const Eigen::Vector3d focal_m = m_X_World_Hand ? Eigen::Vector3d(*m_X_World_Hand * m_focal_m) : m_focal_m;
+    const Eigen::Vector3d position_m = focal_m + m_distance_m * direction();
+    const Eigen::Vector3d up = this->up();
     vtkCamera* camera = m_renderer->GetActiveCamera();
     camera->SetViewAngle(kViewAngle_rad * 180.0 / std::numbers::pi);
-    camera->SetFocalPoint(m_focal_m.x(), m_focal_m.y(), m_focal_m.z());
+    camera->SetFocalPoint(focal_m.x(), focal_m.y(), focal_m.z());
     camera->SetPosition(position_m.x(), position_m.y(), position_m.z());
     camera->SetViewUp(up.x(), up.y(), up.z());
     camera->SetParallelProjection(m_parallel);
@@ -152,7 +171,7 @@ void SceneCamera::apply() {
     // Planes around the scene and its ground, which is larger; loads and arrows stay inside.
     double radius_m = kLeastRadius_m;
     for (const Eigen::Vector3d& corner : m_corners_m)
-        radius_m = std::max(radius_m, (corner - m_focal_m).norm());
+        radius_m = std::max(radius_m, (corner - focal_m).norm());
     const double far_m = m_distance_m + 4.0 * radius_m;
     camera->SetClippingRange(std::max(m_distance_m - 4.0 * radius_m, kNearest * far_m), far_m);
     if (m_changed)

@@ -19,7 +19,8 @@ namespace teleta::view3d {
 
 /// The camera of the scene: an orbit around a focal point, with z up. It stays fitted to the scene until the
 /// user zooms or moves it: where the scene would leave the picture, the camera goes back so far that all
-/// places at which it was since the last fit are seen. Thread: GUI.
+/// places at which it was since the last fit are seen. Or it stands on a hand: then orbit and focal point are
+/// in the frame of the hand, and what the user turns and moves stays as the hand goes. Thread: GUI.
 class SceneCamera {
 public:
     explicit SceneCamera(vtkRenderer* renderer);
@@ -42,8 +43,18 @@ public:
     /// Moves smoothly towards a point; call once per frame. Small deviations are ignored.
     void follow(const Eigen::Vector3d& target_m, double elapsed_s);
 
+    /// Stands behind what the hand carries and looks over it at what it touches, until look(). The first call
+    /// chooses the place, later ones move it with the hand. X_World_Sensor: z points away from the hand;
+    /// radius_m: about that of what the hand carries, 0: not known. Poses that are not finite are ignored.
+    void standOnHand(const Eigen::Isometry3d& X_World_Sensor, double radius_m);
+    [[nodiscard]] bool isOnHand() const { return m_X_World_Hand.has_value(); }
+
     [[nodiscard]] const Orbit& orbit() const { return m_orbit; }
-    [[nodiscard]] const Eigen::Vector3d& focal_m() const { return m_focal_m; }
+    /// From the focal point to the camera, upwards and to the right in the picture; unit vectors in the
+    /// world.
+    [[nodiscard]] Eigen::Vector3d direction() const { return toWorld() * m_orbit.direction(); }
+    [[nodiscard]] Eigen::Vector3d up() const { return toWorld() * m_orbit.up(); }
+    [[nodiscard]] Eigen::Vector3d right() const { return up().cross(direction()); }
     /// Visible height at the focal point.
     [[nodiscard]] double visibleHeight_m() const;
 
@@ -55,11 +66,16 @@ private:
     /// Whether a corner is outside of the picture, or nearly.
     [[nodiscard]] bool leavesPicture() const;
     void apply();
+    [[nodiscard]] Eigen::Matrix3d toWorld() const {
+        return m_X_World_Hand ? m_X_World_Hand->linear() : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    }
 
     vtkRenderer* m_renderer;
     std::function<void()> m_changed;
     std::vector<Eigen::Vector3d> m_corners_m;
     Eigen::AlignedBox3d m_seen_m; ///< all corners since the last fit
+    /// Frame of orbit and focal point, its z towards the hand; empty: the world.
+    std::optional<Eigen::Isometry3d> m_X_World_Hand;
     Orbit m_orbit = orbitOf(CameraPreset::isometric);
     Eigen::Vector3d m_focal_m = Eigen::Vector3d::Zero();
     double m_distance_m = 1.0;

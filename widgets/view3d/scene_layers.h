@@ -32,6 +32,8 @@ public:
     [[nodiscard]] QAction* action(Layer layer) const { return m_actions[layer]; }
     [[nodiscard]] QList<QAction*> actions() const { return {m_actions.begin(), m_actions.end()}; }
     [[nodiscard]] bool shows(Layer layer) const { return m_actions[layer]->isChecked(); }
+    /// Names the actions in the present language.
+    void retranslate();
     /// Names of those that are switched off, for the settings.
     [[nodiscard]] QStringList hidden() const;
     /// Unknown names, of another version, are passed over.

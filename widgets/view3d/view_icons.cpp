@@ -55,6 +55,11 @@ Drawing drawingOf(ViewIcon icon) {
         }
         d.fills.addEllipse(kMiddle, 3.2, 3.2);
         break;
+    case ViewIcon::onHand: // a camera behind a plate
+        d.strokes.addRect(QRectF(3.5, 7.5, 8.0, 9.0));
+        addLine(d.strokes, {{11.5, 10.5}, {15.5, 7.5}, {15.5, 16.5}, {11.5, 13.5}});
+        addLine(d.strokes, {{20.5, 3.5}, {20.5, 20.5}});
+        break;
     case ViewIcon::parallel: // a box whose edges do not converge
         d.strokes.addRect(QRectF(3.5, 8.5, 12.0, 12.0));
         addLine(d.strokes, {{3.5, 8.5}, {8.5, 3.5}, {20.5, 3.5}, {20.5, 15.5}, {15.5, 20.5}});

@@ -13,6 +13,7 @@ enum class ViewIcon {
     isometric,
     reset,
     follow,
+    onHand,
     parallel,
     plate,
     cylinder,

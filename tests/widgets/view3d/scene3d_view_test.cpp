@@ -423,6 +423,23 @@ private slots:
         QVERIFY2((there - hand.translation()).norm() < 0.01, qPrintable(QString::number(there.z())));
     }
 
+    void fromTheHandTheCameraGoesWithTheArrayUntilAnotherViewIsChosen() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        const auto moved = [&stage](const Eigen::Vector3d& way) -> Eigen::Vector3d {
+            vtkCamera* camera = rendererOf(stage.view)->GetActiveCamera();
+            const Eigen::Vector3d before(camera->GetPosition());
+            stage.view.setSensorPose(Eigen::Translation3d(way) * stage.view.sensorPose());
+            return Eigen::Vector3d(camera->GetPosition()) - before;
+        };
+        stage.view.setSnapshot(test::pressed(kLayout, {}, 1));
+        QTest::keyClick(vtkOf(stage.view).focusProxy(), Qt::Key_6);
+        QVERIFY((moved({0.4, 0.1, 0.3}) - Eigen::Vector3d(0.4, 0.1, 0.3)).norm() < 1e-9);
+        QTest::keyClick(vtkOf(stage.view).focusProxy(), Qt::Key_1);
+        QVERIFY(!stage.view.findChild<QAction*>("onHand")->isChecked());
+        QVERIFY(moved({0.0, 0.0, 1e-3}).norm() < 1e-3);
+    }
+
     void whileHiddenNothingIsDrawnAndThenTheNewestIs() {
         Stage stage;
         QVERIFY(stage.ready());

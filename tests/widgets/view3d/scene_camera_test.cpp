@@ -72,4 +72,54 @@ TEST(SceneCamera, thePersonsOwnViewIsLeftAlone) {
     EXPECT_EQ(camera.visibleHeight_m(), height_m);
 }
 
+TEST(SceneCamera, onTheHandThePictureOfWhatItCarriesStaysTheSame) {
+    const vtkNew<vtkRenderer> renderer;
+    SceneCamera camera(renderer);
+    camera.setScene(stick(0.0), true);
+    const double before_m = camera.visibleHeight_m();
+    const Corners carried = {{0.02, 0.0, 0.0}, {0.0, 0.01, 0.0}, {-0.02, -0.01, 0.005}};
+    const auto pictureAt = [&](const Eigen::Isometry3d& hand) {
+        camera.standOnHand(hand, 0.025);
+        vtkMatrix4x4* matrix =
+            renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0);
+        std::vector<double> picture;
+        for (const Eigen::Vector3d& corner : carried) {
+            const Eigen::Vector3d p = hand * corner;
+            const double world[4] = {p.x(), p.y(), p.z(), 1.0};
+            double view[4];
+            matrix->MultiplyPoint(world, view);
+            picture.insert(picture.end(), {view[0] / view[3], view[1] / view[3]});
+        }
+        return picture;
+    };
+    const auto expectSame = [](const std::vector<double>& a, const std::vector<double>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i)
+            EXPECT_NEAR(a[i], b[i], 1e-9) << i;
+    };
+    // Pressed down onto a table: up in the picture is up, and what it carries is seen from its back.
+    Eigen::Isometry3d hand(Eigen::AngleAxisd(3.14159265358979323846, Eigen::Vector3d::UnitX()));
+    hand.translation() = Eigen::Vector3d(0.3, -0.2, 0.4);
+    const auto first = pictureAt(hand);
+    EXPECT_GT(camera.up().z(), 0.5);
+    EXPECT_GT(Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition()).z(), 0.4);
+    EXPECT_LT(farthest(renderer, {hand * carried[0], hand * carried[1], hand * carried[2]}), 0.6);
+    const Eigen::Isometry3d elsewhere = Eigen::Translation3d(-0.5, 0.7, 0.1) *
+                                        Eigen::AngleAxisd(1.1, Eigen::Vector3d(0.3, -0.8, 0.2).normalized()) *
+                                        hand;
+    expectSame(pictureAt(elsewhere), first);
+    // As the person turned it, too; the contact that is followed elsewhere does not pull it away.
+    camera.turn(0.4, -0.1);
+    camera.follow(Eigen::Vector3d::Zero(), 1.0);
+    expectSame(pictureAt(hand), pictureAt(elsewhere));
+
+    Eigen::Isometry3d unknown = hand;
+    unknown.translation().x() = NAN;
+    const Eigen::Vector3d place(renderer->GetActiveCamera()->GetPosition());
+    camera.standOnHand(unknown, 0.025);
+    EXPECT_EQ(Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition()), place);
+    camera.look(CameraPreset::isometric);
+    EXPECT_FALSE(camera.isOnHand());
+    EXPECT_NEAR(camera.visibleHeight_m(), before_m, 1e-9);
+}
+
 } // namespace teleta::view3d

@@ -7,6 +7,7 @@
 #include "widgets/view3d/scene/scene_colours.h"
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct SensorSize {
     double mark_m = 0.0;      ///< radius of a contact's sphere
     double arrow_m = 0.0;     ///< arrow length at the full range of force
 
+    /// Half of its diagonal.
+    [[nodiscard]] double radius_m() const { return std::hypot(halfX_m, halfY_m); }
     static SensorSize of(const core::ArrayLayout& layout, const DrawnGrid& grid, const SurfaceMap& map);
 };
 
