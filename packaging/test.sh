@@ -8,8 +8,8 @@
 #   asan        parts of the backend, the hard cases of the others and inputs that once broke a parser, under the address
 #               and undefined-behaviour sanitizers
 # Runs only when named:
-#   alone       the programs of the preset dev: each source compiles by itself, without the other sources of a unity build,
-#               and with assertions
+#   alone       the programs and tests of the preset dev: each source compiles by itself, without the other sources of a
+#               unity build, and with assertions
 #   soak        takes many minutes: every effect of every scene with a camera left out once; the console for an hour
 #               with arm, array, camera, bracelet and recording (TELETA_SOAK_S: other seconds)
 # Arguments name the checks to run. Every check runs, even when another one fails; the summary comes last.
@@ -121,7 +121,7 @@ for name in "${checks[@]}"; do
             ;;
         alone)
             # Only whether it compiles matters here, so without debug information and optimization.
-            if configure dev -B build/alone -DTELETA_TESTS=OFF -DTELETA_WERROR=ON -DCMAKE_CXX_FLAGS_DEBUG= &&
+            if configure dev -B build/alone -DTELETA_WERROR=ON -DCMAKE_CXX_FLAGS_DEBUG= &&
                 cmake --build "$root/build/alone" -- -k 0; then
                 record alone 1 0
             else

@@ -338,11 +338,12 @@ function(teleta_python_module name)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${TELETA_PYTHON_TREE}/teleta")
 endfunction()
 
-# teleta_test(NAME LABEL unit|stability|gui|gl|peer|soak SOURCES ... DEPENDS ... [TIMEOUT s])
+# teleta_test(NAME LABEL unit|stability|gui|gl|peer|soak SOURCES ... DEPENDS ... [ALONE ...] [TIMEOUT s])
 # One GoogleTest program, registered as one CTest test. Those labelled stability run with invalid operations and
-# divisions by zero trapped.
+# divisions by zero trapped. A unity build compiles the sources together, except those named ALONE, which use names of
+# others.
 function(teleta_test name)
-    cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+    cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;ALONE" ${ARGN})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
@@ -359,6 +360,12 @@ function(teleta_test name)
     endif()
     if(TARGET teleta_precompiled_tests)
         target_precompile_headers(${name} REUSE_FROM teleta_precompiled_tests)
+    endif()
+    if(TELETA_UNITY)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        # What a header's unnamed namespace hides, GCC takes for visible in a source that is included.
+        target_compile_options(${name} PRIVATE -Wno-subobject-linkage)
     endif()
     target_compile_definitions(${name} PRIVATE TELETA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     add_test(NAME ${name} COMMAND ${name})
