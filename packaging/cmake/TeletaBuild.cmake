@@ -361,7 +361,8 @@ function(teleta_test name)
     if(TARGET teleta_precompiled_tests)
         target_precompile_headers(${name} REUSE_FROM teleta_precompiled_tests)
     endif()
-    if(TELETA_UNITY)
+    # With a sanitizer a source takes up to a minute, and two processors are better used by one at a time.
+    if(TELETA_UNITY AND NOT TELETA_SANITIZE)
         set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
         set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
         # What a header's unnamed namespace hides, GCC takes for visible in a source that is included.
