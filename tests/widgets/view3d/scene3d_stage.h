@@ -93,6 +93,12 @@ struct Stage {
     }
     [[nodiscard]] bool ready() { return QTest::qWaitForWindowExposed(&view) && vtkOf(view).canRender(); }
     void settle() { (void)shown(view); }
+    /// Keys come to the view.
+    [[nodiscard]] bool focused() {
+        view.activateWindow();
+        view.setFocus();
+        return QTest::qWaitForWindowActive(&view);
+    }
 };
 
 /// On the sphere of the only contact, by the numbers that the drawing is made of: range and heights.

@@ -248,9 +248,7 @@ private slots:
         for (const auto modifier : {Qt::NoModifier, Qt::KeypadModifier}) {
             Stage stage;
             QVERIFY(stage.ready());
-            stage.view.activateWindow();
-            QVERIFY(QTest::qWaitForWindowActive(&stage.view));
-            stage.view.setFocus();
+            QVERIFY(stage.focused());
             QTest::keyClick(&vtkOf(stage.view), Qt::Key_Right); // away from the start
             QTest::keyClick(vtkOf(stage.view).focusProxy(), static_cast<Qt::Key>(key), modifier);
             vtkCamera* camera = rendererOf(stage.view)->GetActiveCamera();
@@ -426,6 +424,7 @@ private slots:
     void fromTheHandTheCameraGoesWithTheArrayUntilAnotherViewIsChosen() {
         Stage stage;
         QVERIFY(stage.ready());
+        QVERIFY(stage.focused());
         const auto moved = [&stage](const Eigen::Vector3d& way) -> Eigen::Vector3d {
             vtkCamera* camera = rendererOf(stage.view)->GetActiveCamera();
             const Eigen::Vector3d before(camera->GetPosition());
@@ -529,9 +528,7 @@ private slots:
         QVERIFY(stage.ready());
         stage.view.setSnapshot(test::pressed(kLayout, {{2, 0.0, 0.0, 1.0}}));
         stage.settle();
-        stage.view.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&stage.view));
-        stage.view.setFocus();
+        QVERIFY(stage.focused());
         QTest::keySequence(vtkOf(stage.view).focusProxy(), QKeySequence::Copy);
         const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
         QVERIFY(!copied.isNull());
