@@ -77,6 +77,11 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
 
 std::vector<chrome::SourceChooser::Demo> startCards() {
     std::vector<chrome::SourceChooser::Demo> cards = demoScenes();
+    // All scenes of gels would not fit into the smallest window; the menu has them.
+    std::erase_if(cards, [](const chrome::SourceChooser::Demo& demo) {
+        return demo.path == QLatin1String(":/scenes/gel-shear.toml") ||
+               demo.path == QLatin1String(":/scenes/gel-twist.toml");
+    });
     const QString study = DemoText::tr("Study");
     cards.push_back({QStringLiteral("study:rehearsal"), DemoText::tr("A rehearsed study"),
                      DemoText::tr("Simulated participants answer, and the confusion matrix fills"), study});
