@@ -295,9 +295,9 @@ EdgeRuns::EdgeRuns(std::span<const Point> points, bool closed, std::size_t maxim
     if (closed && m_count > 0) {
         const Point middle = std::accumulate(points.begin(), points.end(), Point(Point::Zero())) /
                              static_cast<double>(m_count);
-        std::ranges::rotate(m_points, std::ranges::max_element(m_points, {}, [&](const Point& p) {
-                                return (p - middle).squaredNorm();
-                            }));
+        const auto farthest = std::ranges::max_element(
+            m_points, {}, [&](const Point& p) { return (p - middle).squaredNorm(); });
+        std::rotate(m_points.begin(), farthest, m_points.end());
     }
     measureRuns();
     divide(std::min(m_maximumEdges + 1, m_count / kPointsOfRun));
