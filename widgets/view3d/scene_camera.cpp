@@ -24,9 +24,10 @@ constexpr double kLeastRadius_m = 1e-4;
 constexpr double kFollowTime_s = 0.3;
 /// Distance of the target from the middle, as a share of the visible height, at which the camera moves.
 constexpr double kFollowRest = 0.04;
-/// Of the hand's camera: from behind, over what the hand carries, in radii of that.
-constexpr Orbit kOnHand{-0.5 * std::numbers::pi, 30.0 * std::numbers::pi / 180.0};
-constexpr double kHandDistance = 9.0;
+/// Of the camera of the hand: beside it, so that the contact is not hidden, at a distance in radii of what it
+/// carries.
+constexpr Orbit kOnHand{-0.5 * std::numbers::pi, 10.0 * std::numbers::pi / 180.0};
+constexpr double kHandDistance = 16.0;
 constexpr double kUsualHand_m = 0.03;
 constexpr double kNearest = 1e-3; ///< near plane over far plane
 

@@ -43,9 +43,10 @@ public:
     /// Moves smoothly towards a point; call once per frame. Small deviations are ignored.
     void follow(const Eigen::Vector3d& target_m, double elapsed_s);
 
-    /// Stands behind what the hand carries and looks over it at what it touches, until look(). The first call
-    /// chooses the place, later ones move it with the hand. X_World_Sensor: z points away from the hand;
-    /// radius_m: about that of what the hand carries, 0: not known. Poses that are not finite are ignored.
+    /// Stands beside the hand, a little behind what it carries, and moves and turns with it until look(). The
+    /// first call chooses the place, later ones move it with the hand. X_World_Sensor: z points away from the
+    /// hand; radius_m: about that of what the hand carries, 0: not known. Poses that are not finite are
+    /// ignored.
     void standOnHand(const Eigen::Isometry3d& X_World_Sensor, double radius_m);
     [[nodiscard]] bool isOnHand() const { return m_X_World_Hand.has_value(); }
 
