@@ -13,8 +13,8 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr int kSides = 32;
-constexpr int kRings = 16;
+constexpr int kSides = 20;
+constexpr int kRings = 10;
 
 /// Points of the unit circle; the last is the first again.
 const std::array<Eigen::Vector2d, kSides + 1>& unitCircle() {
