@@ -6,32 +6,17 @@
 
 namespace teleta::scene_run {
 
-namespace {
-
-using Doing = pipeline::CarrierReport::Doing;
-
-/// Slower than this the arm stands.
-constexpr double kStill_mPerS = 1e-4;
-
-} // namespace
-
 SceneReaction::SceneReaction(const scene::CameraWorld& world, double period_s,
                              std::shared_ptr<simulation::CarrierLink> link)
     : m_world(world)
     , m_period_s(period_s)
-    , m_link(std::move(link)) {
+    , m_end(std::move(link)) {
     forget();
 }
 
 void SceneReaction::forget() {
     m_arm.emplace(m_world, m_period_s);
-    m_doing = Doing::stands;
-    m_contact = 0;
-}
-
-void SceneReaction::hold() {
-    m_doing = Doing::held;
-    m_link->asked.post({});
+    m_end.forget();
 }
 
 void SceneReaction::react(const std::vector<vision::FollowedContact>& contacts,
@@ -41,31 +26,21 @@ void SceneReaction::react(const std::vector<vision::FollowedContact>& contacts,
         hold();
         return;
     }
-    if (bump && !m_arm->stopped())
-        m_contact = bump->contact;
-    const simulation::TubeVelocity asked = m_arm->decide(contacts, bump, m_link->state.get().pose);
-    m_link->asked.post(asked);
-    m_doing = Doing::stands;
-    if (m_arm->stopped()) {
-        if (asked.aside_mPerS.norm() > kStill_mPerS)
-            m_doing = Doing::retreats;
-    } else if (m_arm->followed() != 0) {
-        m_contact = m_arm->followed();
-        m_doing = Doing::follows;
-    }
-    if (m_doing == Doing::stands && !m_arm->stopped())
-        m_contact = 0;
+    const int bumped = bump && !m_arm->stopped() ? bump->contact : 0;
+    const simulation::TubeVelocity asked = m_arm->decide(contacts, bump, m_end.pose());
+    m_end.ask({.asked = asked,
+               .away_mPerS = asked.aside_mPerS.norm(),
+               .stopped = m_arm->stopped(),
+               .bump = bumped,
+               .followed = m_arm->followed()});
 }
 
 pipeline::CarrierReport SceneReaction::report() const {
-    const simulation::CarrierState state = m_link->state.get();
-    pipeline::CarrierReport report;
-    report.doing = m_doing == Doing::stands && state.held ? Doing::held : m_doing;
-    report.contact = m_contact;
-    report.X_Base_Sensor.translation() =
-        Eigen::Vector3d(state.pose.aside_m.x(), state.pose.aside_m.y(), state.pose.along_m);
+    const simulation::TubePose pose = m_end.pose();
+    pipeline::CarrierReport report = m_end.report();
+    report.X_Base_Sensor.translation() = Eigen::Vector3d(pose.aside_m.x(), pose.aside_m.y(), pose.along_m);
     report.X_Base_Sensor.linear() =
-        Eigen::AngleAxisd(state.pose.turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+        Eigen::AngleAxisd(pose.turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/pipeline/camera_snapshot.h"
 #include "backend/scene/camera_world.h"
+#include "backend/scene_run/camera/carrier_end.h"
 #include "backend/scene_run/camera/reacting_arm.h"
 #include "backend/simulation/camera/carrier_arm.h"
 
@@ -20,17 +21,15 @@ public:
 
     void react(const std::vector<vision::FollowedContact>& contacts,
                const std::optional<vision::BumpDetector::Bump>& bump, bool allowed) override;
-    void hold() override;
+    void hold() override { m_end.hold(); }
     void forget() override;
     [[nodiscard]] pipeline::CarrierReport report() const override;
 
 private:
     scene::CameraWorld m_world;
     double m_period_s;
-    std::shared_ptr<simulation::CarrierLink> m_link;
+    CarrierEnd m_end;
     std::optional<ReactingArm> m_arm;
-    pipeline::CarrierReport::Doing m_doing = pipeline::CarrierReport::Doing::stands;
-    int m_contact = 0;
 };
 
 /// How the tracker of a scene's camera is set: bumps are what the scene calls so.

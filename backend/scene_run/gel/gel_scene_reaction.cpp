@@ -11,11 +11,7 @@ namespace teleta::scene_run {
 
 namespace {
 
-using Doing = pipeline::CarrierReport::Doing;
 using simulation::TubeVelocity;
-
-/// Slower than this the arm stands.
-constexpr double kStill_mPerS = 1e-4;
 
 } // namespace
 
@@ -67,19 +63,13 @@ GelSceneReaction::GelSceneReaction(const scene::GelWorld& world, double period_s
                                    std::shared_ptr<simulation::CarrierLink> link)
     : m_world(world)
     , m_period_s(period_s)
-    , m_link(std::move(link)) {
+    , m_end(std::move(link)) {
     forget();
 }
 
 void GelSceneReaction::forget() {
     m_arm.emplace(m_world, m_period_s);
-    m_doing = Doing::stands;
-    m_contact = 0;
-}
-
-void GelSceneReaction::hold() {
-    m_doing = Doing::held;
-    m_link->asked.post({});
+    m_end.forget();
 }
 
 int GelSceneReaction::react(const std::vector<vision::GelContactState>& contacts, double time_s,
@@ -90,31 +80,20 @@ int GelSceneReaction::react(const std::vector<vision::GelContactState>& contacts
         return 0;
     }
     const bool wasStopped = m_arm->stopped();
-    const TubeVelocity asked = m_arm->decide(contacts, time_s, noise_m, m_link->state.get().pose);
-    if (m_arm->bump() != 0 && !wasStopped)
-        m_contact = m_arm->bump();
-    m_link->asked.post(asked);
-    m_doing = Doing::stands;
-    if (m_arm->stopped()) {
-        if (asked.along_mPerS > kStill_mPerS)
-            m_doing = Doing::retreats;
-    } else if (m_arm->followed() != 0) {
-        m_contact = m_arm->followed();
-        m_doing = Doing::follows;
-    } else {
-        m_contact = 0;
-    }
+    const TubeVelocity asked = m_arm->decide(contacts, time_s, noise_m, m_end.pose());
+    m_end.ask({.asked = asked,
+               .away_mPerS = asked.along_mPerS,
+               .stopped = m_arm->stopped(),
+               .bump = wasStopped ? 0 : m_arm->bump(),
+               .followed = m_arm->followed()});
     return m_arm->bump();
 }
 
 pipeline::CarrierReport GelSceneReaction::report() const {
-    const simulation::CarrierState state = m_link->state.get();
-    pipeline::CarrierReport report;
-    report.doing = m_doing == Doing::stands && state.held ? Doing::held : m_doing;
-    report.contact = m_contact;
+    const simulation::TubePose pose = m_end.pose();
+    pipeline::CarrierReport report = m_end.report();
     // z of the gel points to what presses, and along is away from it.
-    report.X_Base_Sensor.translation() =
-        Eigen::Vector3d(state.pose.aside_m.x(), state.pose.aside_m.y(), -state.pose.along_m);
+    report.X_Base_Sensor.translation() = Eigen::Vector3d(pose.aside_m.x(), pose.aside_m.y(), -pose.along_m);
     return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "backend/pipeline/gel_snapshot.h"
 #include "backend/scene/gel_world.h"
+#include "backend/scene_run/camera/carrier_end.h"
 #include "backend/simulation/camera/carrier_arm.h"
 #include "backend/vision/gel/gel_bumps.h"
 
@@ -58,17 +59,15 @@ public:
 
     int react(const std::vector<vision::GelContactState>& contacts, double time_s, double noise_m,
               bool allowed) override;
-    void hold() override;
+    void hold() override { m_end.hold(); }
     void forget() override;
     [[nodiscard]] pipeline::CarrierReport report() const override;
 
 private:
     scene::GelWorld m_world;
     double m_period_s;
-    std::shared_ptr<simulation::CarrierLink> m_link;
+    CarrierEnd m_end;
     std::optional<ReactingGel> m_arm;
-    pipeline::CarrierReport::Doing m_doing = pipeline::CarrierReport::Doing::stands;
-    int m_contact = 0;
 };
 
 } // namespace teleta::scene_run
