@@ -17526,15 +17526,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::calibrate::LoadsView</name>
     <message>
-        <source>%1: off by %2 (standard deviation).</source>
-        <comment>a load</comment>
-        <translation>%1 : écart de %2 (écart type).</translation>
-    </message>
-    <message>
-        <source>The presses tell the signals apart with a condition of %1; from %2 on they do not.</source>
-        <translation>Les appuis distinguent les signaux avec un conditionnement de %1 ; à partir de %2, ils ne le font plus.</translation>
-    </message>
-    <message>
         <source>No presses</source>
         <translation>Aucun appui</translation>
     </message>
@@ -17553,10 +17544,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>calibration not saved</source>
         <translation>étalonnage non enregistré</translation>
-    </message>
-    <message>
-        <source>1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.</source>
-        <translation>1. Ouvrez un tableau (CSV), une ligne par appui : les signaux du capteur, et la charge connue dans force_n, shear_x_n, shear_y_n ou moment_nm. Les lignes où toutes les charges valent 0 donnent le repos.</translation>
     </message>
     <message>
         <source>This one has %1.</source>
@@ -17656,6 +17643,19 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Calibration of a sensor to newtons</source>
         <translation>Étalonnage d’un capteur en newtons</translation>
+    </message>
+    <message>
+        <source>%1: residual standard deviation %2.</source>
+        <comment>a load</comment>
+        <translation>%1 : écart-type résiduel %2.</translation>
+    </message>
+    <message>
+        <source>Condition number of the presses: %1. From %2 on, the signals cannot be told apart.</source>
+        <translation>Conditionnement des appuis : %1. À partir de %2, les signaux ne peuvent plus être distingués.</translation>
+    </message>
+    <message>
+        <source>1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.</source>
+        <translation>1. Ouvrez un tableau (CSV) avec une ligne par appui : les signaux du capteur et la charge connue dans force_n, shear_x_n, shear_y_n ou moment_nm. Les lignes sans charge donnent les signaux au repos.</translation>
     </message>
 </context>
 <context>

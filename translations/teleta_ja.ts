@@ -17482,15 +17482,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::calibrate::LoadsView</name>
     <message>
-        <source>%1: off by %2 (standard deviation).</source>
-        <comment>a load</comment>
-        <translation>%1: ずれ %2 (標準偏差)。</translation>
-    </message>
-    <message>
-        <source>The presses tell the signals apart with a condition of %1; from %2 on they do not.</source>
-        <translation>押しは条件数%1で信号を区別します。%2からは区別できません。</translation>
-    </message>
-    <message>
         <source>No presses</source>
         <translation>押しがありません</translation>
     </message>
@@ -17509,10 +17500,6 @@ Run teleta-site --help for more.
     <message>
         <source>calibration not saved</source>
         <translation>キャリブレーションは未保存</translation>
-    </message>
-    <message>
-        <source>1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.</source>
-        <translation>1. 1回の押しにつき1行の表(CSV)を開きます。センサーの信号と、force_n、shear_x_n、shear_y_n、moment_nmのいずれかの既知の荷重が必要です。すべての荷重が0の行が静止値になります。</translation>
     </message>
     <message>
         <source>This one has %1.</source>
@@ -17612,6 +17599,19 @@ Run teleta-site --help for more.
     <message>
         <source>Calibration of a sensor to newtons</source>
         <translation>センサーのニュートンへのキャリブレーション</translation>
+    </message>
+    <message>
+        <source>%1: residual standard deviation %2.</source>
+        <comment>a load</comment>
+        <translation>%1：残差の標準偏差 %2。</translation>
+    </message>
+    <message>
+        <source>Condition number of the presses: %1. From %2 on, the signals cannot be told apart.</source>
+        <translation>押し付けの条件数：%1。%2以上では信号を区別できません。</translation>
+    </message>
+    <message>
+        <source>1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.</source>
+        <translation>1. 1行が1回の押し付けを表すCSVの表を開きます：センサーの信号と、force_n、shear_x_n、shear_y_n、moment_nm のいずれかの既知の荷重。荷重のない行は静止時の信号になります。</translation>
     </message>
 </context>
 <context>

@@ -17482,15 +17482,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::calibrate::LoadsView</name>
     <message>
-        <source>%1: off by %2 (standard deviation).</source>
-        <comment>a load</comment>
-        <translation>%1：偏差 %2（标准差）。</translation>
-    </message>
-    <message>
-        <source>The presses tell the signals apart with a condition of %1; from %2 on they do not.</source>
-        <translation>这些按压区分各信号的条件数为 %1；从 %2 起无法区分。</translation>
-    </message>
-    <message>
         <source>No presses</source>
         <translation>没有按压</translation>
     </message>
@@ -17509,10 +17500,6 @@ Run teleta-site --help for more.
     <message>
         <source>calibration not saved</source>
         <translation>标定未保存</translation>
-    </message>
-    <message>
-        <source>1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.</source>
-        <translation>1. 打开每次按压一行的表格（CSV）：传感器的信号，以及 force_n、shear_x_n、shear_y_n 或 moment_nm 中的已知载荷。所有载荷为 0 的行给出静止值。</translation>
     </message>
     <message>
         <source>This one has %1.</source>
@@ -17612,6 +17599,19 @@ Run teleta-site --help for more.
     <message>
         <source>Calibration of a sensor to newtons</source>
         <translation>将传感器标定为牛顿</translation>
+    </message>
+    <message>
+        <source>%1: residual standard deviation %2.</source>
+        <comment>a load</comment>
+        <translation>%1：残差标准差 %2。</translation>
+    </message>
+    <message>
+        <source>Condition number of the presses: %1. From %2 on, the signals cannot be told apart.</source>
+        <translation>按压的条件数：%1。达到 %2 时，信号无法区分。</translation>
+    </message>
+    <message>
+        <source>1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.</source>
+        <translation>1. 打开一个每行一次按压的表格 (CSV)：传感器的信号，以及 force_n、shear_x_n、shear_y_n 或 moment_nm 中的已知载荷。无载荷的行给出静止时的信号。</translation>
     </message>
 </context>
 <context>

@@ -112,13 +112,6 @@ void LoadsView::take(const LoadsFound& found) {
     change([show, found] { show(found); }, [show, before = m_found] { show(before); });
 }
 
-void LoadsView::setFound(const LoadsFound& found) {
-    m_trouble.clear();
-    m_found = found;
-    forgetChanges();
-    refresh();
-}
-
 void LoadsView::setBusy(bool busy) {
     m_busy = busy;
     if (busy)
@@ -156,11 +149,11 @@ QString LoadsView::describeFound() const {
         return {};
     QStringList lines;
     for (std::size_t i = 0; i < m_found->loads.size(); ++i)
-        lines << tr("%1: off by %2 (standard deviation).", "a load")
+        lines << tr("%1: residual standard deviation %2.", "a load")
                      .arg(QString::fromStdString(m_found->loads[i]),
                           number(m_found->scatter[static_cast<Eigen::Index>(i)]));
     if (m_found->condition > 1.0)
-        lines << tr("The presses tell the signals apart with a condition of %1; from %2 on they do not.")
+        lines << tr("Condition number of the presses: %1. From %2 on, the signals cannot be told apart.")
                      .arg(number(m_found->condition), number(equilibration::kMostCondition));
     return lines.join(QLatin1Char('\n'));
 }
@@ -202,8 +195,8 @@ void LoadsView::refresh() {
                                       : tr("calibration not saved");
     showState(state, base::Provenance::live, m_found && isSaved() ? status.live : status.stale);
     QString opened =
-        tr("1. Open a table (CSV), a row a press: signals of the sensor, and the known load in force_n, "
-           "shear_x_n, shear_y_n or moment_nm. Rows in which all loads are 0 give the rest.");
+        tr("1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in "
+           "force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.");
     if (hasTable)
         opened += QLatin1Char(' ') + tr("This one has %1.").arg(m_table.loads.join(QStringLiteral(", ")));
     m_openText->setText(opened);

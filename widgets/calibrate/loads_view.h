@@ -39,10 +39,8 @@ public:
     /// The columns that are chosen, in their order in the table.
     [[nodiscard]] QStringList chosen() const;
 
-    /// Replaces the present calibration; can be undone. Null: none.
+    /// Replaces the present calibration; can be undone.
     void take(const LoadsFound& found);
-    /// Shows a calibration of a file.
-    void setFound(const LoadsFound& found);
     [[nodiscard]] const LoadsFound& found() const { return m_found; }
 
     /// While a table is read or gains are computed nothing can be changed.

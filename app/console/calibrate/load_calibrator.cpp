@@ -38,10 +38,6 @@ core::Expected<PressTable> tableOf(const QString& path) {
     return table;
 }
 
-LoadsFound shared(LoadCalibration calibration) {
-    return std::make_shared<const LoadCalibration>(std::move(calibration));
-}
-
 } // namespace
 
 LoadCalibrator::LoadCalibrator(QWidget* parent)
@@ -89,33 +85,31 @@ void LoadCalibrator::fit(const QStringList& columns) {
     std::vector<std::string> channels;
     for (const QString& column : columns)
         channels.push_back(column.toStdString());
-    m_view->setBusy(true);
-    base::runInBackground(
-        this,
-        [path = m_path.toStdString(), channels]() -> core::Expected<LoadsFound> {
+    find(
+        [path = m_path.toStdString(), channels]() -> core::Expected<LoadCalibration> {
             TELETA_TRY(const auto presses, equilibration::readKnownPresses(path, channels));
-            return equilibration::findLoadCalibration(presses).map(shared);
+            return equilibration::findLoadCalibration(presses);
         },
-        [this](const core::Expected<LoadsFound>& found) {
-            m_view->setBusy(false);
-            if (found)
-                m_view->take(*found);
-            else
-                showTrouble(found.error());
-        });
+        false);
 }
 
 void LoadCalibrator::load(const QString& path) {
+    find([path] { return equilibration::readLoadCalibration(path.toStdString()); }, true);
+}
+
+void LoadCalibrator::find(std::function<core::Expected<LoadCalibration>()> work, bool isSaved) {
     m_view->setBusy(true);
-    base::runInBackground(
-        this, [path] { return equilibration::readLoadCalibration(path.toStdString()).map(shared); },
-        [this](const core::Expected<LoadsFound>& found) {
-            m_view->setBusy(false);
-            if (found)
-                m_view->setFound(*found);
-            else
-                showTrouble(found.error());
-        });
+    base::runInBackground(this, std::move(work),
+                          [this, isSaved](const core::Expected<LoadCalibration>& found) {
+                              m_view->setBusy(false);
+                              if (!found) {
+                                  showTrouble(found.error());
+                                  return;
+                              }
+                              m_view->take(std::make_shared<const LoadCalibration>(*found));
+                              if (isSaved)
+                                  m_view->markSaved();
+                          });
 }
 
 void LoadCalibrator::save(const QString& path) {

@@ -8,6 +8,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
+
 namespace teleta::console {
 
 /// Calibrates signals of a sensor to newtons as `teleta loads fit` does: reads tables of presses, finds the
@@ -30,6 +32,9 @@ signals:
     void trouble(const QString& what, const QString& details);
 
 private:
+    /// work: run on a pool thread; what it finds replaces the calibration, and can be undone. isSaved: it is
+    /// in a file already.
+    void find(std::function<core::Expected<equilibration::LoadCalibration>()> work, bool isSaved);
     void showTrouble(const core::Error& error);
 
     calibrate::LoadsView* m_view;

@@ -81,6 +81,10 @@ private slots:
         loads.load(path);
         QTRY_VERIFY(view.found() != nullptr);
         QVERIFY(loads.isSaved());
+        // What a file replaces comes back.
+        press(view, "undo");
+        QVERIFY(view.found() == nullptr);
+        QVERIFY(!loads.isSaved());
     }
 
     void whatCannotBeFoundIsSaidAndChangesNothing() {
