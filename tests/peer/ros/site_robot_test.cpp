@@ -34,6 +34,14 @@ protected:
         m_site = std::make_unique<SiteProcess>(domain + 1, "[[device]]\nfile = \"" + path() + "\"\n");
         m_site->start();
     }
+    /// A console takes control, and moves the arm as long as it presses.
+    static void moveBy(TestConsole& console) {
+        ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
+        ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); }))
+            << console.hindrance();
+        console.press(kRate_radPerS);
+        ASSERT_TRUE(console.moves());
+    }
     [[nodiscard]] test::RunningProgram jog(double seconds) const {
         return test::RunningProgram({"arm", "jog", m_site->fileOf("a"), "--joint", "joint_3", "--rate", "0.3",
                                      "--seconds", std::to_string(seconds), "--yes", "--json"});
@@ -112,10 +120,7 @@ TEST_F(SiteRobot, theArmIsHeldWithoutADeviceThatItRequires) {
                                                     m_folder.filePath("pad.toml").toStdString() + "\"\n");
     m_site->start();
     TestConsole console(*m_site, "a");
-    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
-    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
-    console.press(kRate_radPerS);
-    ASSERT_TRUE(console.moves());
+    ASSERT_NO_FATAL_FAILURE(moveBy(console));
     ASSERT_TRUE(m_robot.command("fault no-pad"));
     EXPECT_TRUE(TestConsole::eventually([&] { return console.rests(200ms, 2e-3); }));
     EXPECT_TRUE(TestConsole::eventually([&] {
@@ -225,10 +230,7 @@ TEST_F(SiteRobot, moveItServoIsToldToRestWhenTheClocksPart) {
     m_site = std::make_unique<SiteProcess>(161, "[[device]]\nfile = \"" + path() + "\"\n");
     m_site->start();
     TestConsole console(*m_site, "a");
-    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
-    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
-    console.press(kRate_radPerS);
-    ASSERT_TRUE(console.moves());
+    ASSERT_NO_FATAL_FAILURE(moveBy(console));
     ASSERT_TRUE(m_robot.command("fault backward"));
     EXPECT_TRUE(eventually([this] {
         const std::vector<json> jogs = logOf("jog");
@@ -270,10 +272,7 @@ TEST_F(SiteRobot, stopOfAViewerBrakesAndAFaultIsClearedByWhoControls) {
     begin(106);
     TestConsole console(*m_site, "a");
     TestConsole viewer(*m_site, "v", true);
-    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
-    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
-    console.press(kRate_radPerS);
-    ASSERT_TRUE(console.moves());
+    ASSERT_NO_FATAL_FAILURE(moveBy(console));
     viewer.stop().engage();
     ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::stopped; }));
     EXPECT_TRUE(TestConsole::eventually([&] { return console.rests(200ms, 2e-3); }));
@@ -300,10 +299,7 @@ TEST_F(SiteRobot, stopOfAViewerBrakesAndAFaultIsClearedByWhoControls) {
 TEST_F(SiteRobot, jointsThatStaySilentAreAFault) {
     begin(132);
     TestConsole console(*m_site, "a");
-    ASSERT_EQ(console.ask(RequestKind::request), RequestAnswer::done);
-    ASSERT_TRUE(TestConsole::eventually([&] { return console.hindrance().empty(); })) << console.hindrance();
-    console.press(kRate_radPerS);
-    ASSERT_TRUE(console.moves());
+    ASSERT_NO_FATAL_FAILURE(moveBy(console));
     ASSERT_TRUE(m_robot.command("fault silent"));
     ASSERT_TRUE(TestConsole::eventually([&] { return console.view().mode == Mode::fault; }));
     EXPECT_NE(console.hindrance().find("/joint_states fell silent"), std::string::npos)
