@@ -24,6 +24,7 @@
 #include <QWidget>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 using namespace teleta;
@@ -34,6 +35,27 @@ namespace {
 
 constexpr int kPatience_ms = 60'000;
 constexpr int kFrames = 10'000;
+
+/// A console's sources, settings and window, with what opens its recordings. The settings stay in a folder
+/// of their own.
+struct OpenedHere {
+    core::StopSwitch stop;
+    console::SourceManager sources{stop};
+    QTemporaryDir kept;
+    std::unique_ptr<console::ConsoleSettings> settings;
+    std::unique_ptr<QWidget> window = std::make_unique<QWidget>();
+    RecordingFiles* files = nullptr;
+
+    explicit OpenedHere(bool fresh) {
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, kept.path());
+        settings = std::make_unique<console::ConsoleSettings>(fresh);
+        files = new RecordingFiles(sources, *settings, window.get());
+    }
+    ~OpenedHere() {
+        sources.closeAll();
+        window.reset();
+    }
+};
 
 } // namespace
 
@@ -167,13 +189,9 @@ private slots:
         }
         array.close();
 
-        core::StopSwitch stop;
-        console::SourceManager sources(stop);
-        QTemporaryDir kept;
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, kept.path());
-        console::ConsoleSettings settings(false);
-        auto* window = new QWidget;
-        auto* recordings = new RecordingFiles(sources, settings, window);
+        OpenedHere here(false);
+        RecordingFiles* recordings = here.files;
+        QWidget* window = here.window.get();
         QSignalSpy opened(recordings, &RecordingFiles::opened);
         QSignalSpy cancelled(recordings, &RecordingFiles::cancelled);
         const auto dialog = [window] { return window->findChild<console::FrameDialog*>(); };
@@ -207,7 +225,7 @@ private slots:
         QCOMPARE((*extent)->frames, std::uint64_t(3));
 
         // The next file of this kind is read in the same way, unless a person says otherwise.
-        const auto known = settings.frameRequest(frames::familyOf(array.fileName().toStdString()));
+        const auto known = here.settings->frameRequest(frames::familyOf(array.fileName().toStdString()));
         QVERIFY(known && known->rate_Hz == 50.0);
         recordings->open(array.fileName());
         QTRY_VERIFY_WITH_TIMEOUT(window->findChild<QMessageBox*>() != nullptr, kPatience_ms);
@@ -222,21 +240,15 @@ private slots:
         QCOMPARE(opened[1][0].toString(), file("frames-2.teleta"));
         const auto slower = recording::Recording::open(file("frames-2.teleta").toStdString());
         QVERIFY(slower && slower->streams().front().nominalRate_Hz == 25.0);
-        sources.closeAll();
-        delete window;
         QVERIFY(QFile::remove(array.fileName()));
     }
 
     void loadsInAnotherUnitThanNewtonsAreAskedForAThreshold() {
         const QString frames = file("field.h5");
         QVERIFY(QFile::copy(TELETA_SOURCE_DIR "/tests/data/frames/field.h5", frames));
-        core::StopSwitch stop;
-        console::SourceManager sources(stop);
-        QTemporaryDir kept;
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, kept.path());
-        console::ConsoleSettings settings(false);
-        auto* window = new QWidget;
-        auto* recordings = new RecordingFiles(sources, settings, window);
+        OpenedHere here(false);
+        RecordingFiles* recordings = here.files;
+        QWidget* window = here.window.get();
         QSignalSpy opened(recordings, &RecordingFiles::opened);
         recordings->open(frames);
         QTRY_VERIFY_WITH_TIMEOUT(window->findChild<console::FrameDialog*>() != nullptr, kPatience_ms);
@@ -253,19 +265,15 @@ private slots:
         QCOMPARE(array->settings.segmentation.threshold_N, 2.5);
         QCOMPARE(QString::fromStdString(array->settings.loadUnit), QString::fromUtf8("\u00b5T"));
         // The next file of this kind has the same one.
-        const auto known = settings.frameRequest(frames::familyOf(frames.toStdString()));
+        const auto known = here.settings->frameRequest(frames::familyOf(frames.toStdString()));
         QVERIFY(known && known->threshold == 2.5);
-        sources.closeAll();
-        delete window;
         QVERIFY(QFile::remove(frames));
     }
 
     void aRecordingThatIsThereIsOpenedOrTheFileImportedAgain() {
-        core::StopSwitch stop;
-        console::SourceManager sources(stop);
-        console::ConsoleSettings settings(true);
-        auto* window = new QWidget;
-        auto* recordings = new RecordingFiles(sources, settings, window);
+        OpenedHere here(true);
+        RecordingFiles* recordings = here.files;
+        QWidget* window = here.window.get();
         QSignalSpy opened(recordings, &RecordingFiles::opened);
         recordings->open(mcap());
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience_ms);
@@ -284,8 +292,6 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 3, kPatience_ms);
         QCOMPARE(opened[2][0].toString(), file("run-2.teleta"));
         QCOMPARE(files(), (QStringList{"run-2.teleta", "run.mcap", "run.teleta"}));
-        sources.closeAll();
-        delete window;
     }
 };
 
