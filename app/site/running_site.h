@@ -31,7 +31,8 @@ struct SiteFolders {
 /// Thread: one; the work is done by threads of its own.
 class RunningSite {
 public:
-    /// Opens all devices and waits for them. A STOP of the program before holds them from the start.
+    /// Opens all devices and waits for them. They are stopped from the start if STOP was engaged when the
+    /// program last ended.
     /// cancelled: looked at meanwhile. Error: that of the first device that cannot be opened; cancelled.
     [[nodiscard]] static core::Expected<std::unique_ptr<RunningSite>>
     open(const SiteFile& file, const SiteFolders& folders, SiteLog& log,

@@ -257,8 +257,8 @@ void SiteControl::findConsoles() {
         if (m_consoles.size() >= kMostConsoles) {
             if (!m_isFull)
                 tell(Severity::error, *name, "console_refused",
-                     *name + " is ignored: since its start the site has known " +
-                         std::to_string(kMostConsoles) + " names of consoles, and more need a new start");
+                     *name + " is ignored: " + std::to_string(kMostConsoles) +
+                         " consoles have come since teleta-site was started; restart it to let others in");
             m_isFull = true;
             continue;
         }

@@ -361,7 +361,7 @@ function(teleta_test name)
     if(TARGET teleta_precompiled_tests)
         target_precompile_headers(${name} REUSE_FROM teleta_precompiled_tests)
     endif()
-    # With a sanitizer a source takes up to a minute, and two processors are better used by one at a time.
+    # With a sanitizer a single source takes up to a minute to compile, so they are not joined.
     if(TELETA_UNITY AND NOT TELETA_SANITIZE)
         set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
         set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

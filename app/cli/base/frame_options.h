@@ -117,9 +117,9 @@ struct OpenFrames {
     }
 };
 
-/// Opens the recording that the options name, and warns where its values are no forces. The options have the
-/// threshold then. Error: as
-/// frames::FrameReader::open(). Throws CLI::ValidationError when the options do not fit each other.
+/// Opens the recording that the options name, and warns where its values are no forces. Sets the options'
+/// threshold, which depends on the unit of the loads. Error: as frames::FrameReader::open(). Throws
+/// CLI::ValidationError when the options do not fit each other.
 [[nodiscard]] core::Expected<OpenFrames> openFrames(FrameOptions& options);
 
 /// Reads a recording of a grid of loads frame by frame, conditions each frame and hands it to write(), which
