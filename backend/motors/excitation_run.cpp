@@ -2,6 +2,7 @@
 #include "backend/motors/excitation_run.h"
 
 #include "backend/core/failure.h"
+#include "backend/playback/measurement_end.h"
 
 #include <QCoreApplication>
 
@@ -21,27 +22,6 @@ struct RunText {
 constexpr std::int64_t kPeriod_ns = 1'000'000;
 /// Time allowed for the player to start the program.
 constexpr std::int64_t kLongestBegin_ns = 1'000'000'000;
-
-core::Unexpected endedEarly(const playback::PlayerStatus& status) {
-    switch (status.ending) {
-    case playback::PlayerEnding::stopSwitch:
-        return core::refused(RunText::tr("STOP ended the measurement."),
-                             RunText::tr("release STOP and measure again"));
-    case playback::PlayerEnding::deviceLost:
-        return core::refused(RunText::tr("The bracelet was lost during the measurement."),
-                             RunText::tr("connect it and measure again"));
-    case playback::PlayerEnding::stalled:
-        return core::refused(
-            RunText::tr("The computer was too slow for the measurement: the bracelet paused in between."),
-            RunText::tr("measure again with fewer programs running"));
-    case playback::PlayerEnding::tooHot:
-        return core::refused(RunText::tr("The bracelet is too hot to be measured."),
-                             RunText::tr("let it cool down and measure again"));
-    default:
-        return core::refused(RunText::tr("Something else was played meanwhile."),
-                             RunText::tr("measure again"));
-    }
-}
 
 } // namespace
 
@@ -95,14 +75,14 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
             } else if (clock.now_ns() - begin_ns > kLongestBegin_ns) {
                 // A late player must not start after this function has given up.
                 player.stop(number);
-                return endedEarly(status);
+                return playback::measurementEnd(status);
             } else {
                 continue;
             }
         }
         // Another program has replaced it.
         if (status.begun_ns != begun_ns)
-            return endedEarly({});
+            return playback::measurementEnd({});
         const auto reading = bracelet.motorSpeeds();
         if (reading && (recording.time_s.empty() || reading->time_ns > begin_ns)) {
             const double time_s = static_cast<double>(reading->time_ns - begin_ns) * 1e-9;
@@ -117,7 +97,7 @@ core::Expected<MotorRecording> recordExcitation(playback::Player& player,
             continue;
         if (status.ending == playback::PlayerEnding::finished)
             return recording;
-        return endedEarly(status);
+        return playback::measurementEnd(status);
     }
 }
 

@@ -19,6 +19,8 @@ struct JackLatencyRange {
     std::uint32_t most_frames = 0;
 };
 
+/// Name of the client that plays on a bracelet; its ports have it before a colon.
+inline constexpr const char* kBraceletClient = "TeleTA bracelet";
 inline constexpr const char* kJackAudio = "32 bit float mono audio";
 inline constexpr int kJackNoStartServer = 0x01;
 inline constexpr unsigned long kJackPortIsInput = 0x1;

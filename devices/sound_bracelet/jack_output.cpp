@@ -24,7 +24,6 @@ struct JackText {
     Q_DECLARE_TR_FUNCTIONS(JackText)
 };
 
-constexpr const char* kClientName = "TeleTA bracelet";
 /// More than any server takes at a time.
 constexpr std::size_t kMostServerFrames = 65'536;
 constexpr auto kLook = std::chrono::milliseconds(5);
@@ -59,7 +58,7 @@ core::Expected<std::unique_ptr<JackOutput>> JackOutput::open(const SoundBracelet
                 failure = jack.error();
             continue;
         }
-        JackClient* client = jack->clientOpen(kClientName, kJackNoStartServer, nullptr);
+        JackClient* client = jack->clientOpen(kBraceletClient, kJackNoStartServer, nullptr);
         if (client == nullptr) {
             failure = unavailable(pipeWire ? JackText::tr("PipeWire is not running.")
                                            : JackText::tr("The JACK server is not running."))

@@ -44,6 +44,8 @@ struct SoundBraceletFile {
     std::optional<double> latency_ms{};
     std::optional<double> latencySpread_ms{};
 
+    bool operator==(const SoundBraceletFile&) const = default;
+
     void describeKeys(core::Keys& keys);
 
     [[nodiscard]] double period_s() const {

@@ -373,13 +373,13 @@ function(teleta_test name)
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 
-# teleta_gui_test(NAME LABEL gui|gl SOURCES ... DEPENDS ...)
+# teleta_gui_test(NAME LABEL gui|gl|peer SOURCES ... DEPENDS ... [WITHIN program])
 # One Qt Test program; what it depends on brings Qt6::Widgets. Label gui runs offscreen; label gl runs under Xvfb, since
-# offscreen has no QOpenGLWidget.
+# offscreen has no QOpenGLWidget. WITHIN runs the test, as with_sound_session.sh does.
 # QTRY_VERIFY_WITH_TIMEOUT reports a failure only after three times its timeout; the default TIMEOUT leaves time for
 # that.
 function(teleta_gui_test name)
-    cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+    cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;WITHIN" "SOURCES;DEPENDS" ${ARGN})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 600)
     endif()
@@ -411,7 +411,7 @@ function(teleta_gui_test name)
         set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1"
                                                 RESOURCE_LOCK xvfb)
     else()
-        add_test(NAME ${name} COMMAND ${name})
+        add_test(NAME ${name} COMMAND ${ARG_WITHIN} $<TARGET_FILE:${name}>)
         set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
     endif()
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})

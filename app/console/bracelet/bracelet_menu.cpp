@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/bracelet_menu.h"
 
+#include "app/console/bracelet/latency_dialog.h"
 #include "widgets/base/file_dialog.h"
 
 #include <QActionGroup>
@@ -54,6 +55,24 @@ void BraceletMenu::fill(QMenu& menu) {
         tr("A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the "
            "outputs of a sound card"));
     add(tr("&None"), BraceletChoice::none);
+    menu.addSeparator();
+    QAction* latency = menu.addAction(tr("Measure its &latency\u2026"), this, &BraceletMenu::openLatency);
+    latency->setToolTip(tr("From a frame to the movement of a tactor, for a bracelet on a sound card"));
+    const auto update = [this, latency] { latency->setEnabled(m_station.isOnSoundCard()); };
+    connect(&menu, &QMenu::aboutToShow, latency, update);
+    update();
+}
+
+void BraceletMenu::openLatency() {
+    LatencyDialog* dialog = m_latency;
+    if (dialog == nullptr || !dialog->isVisible()) {
+        delete dialog;
+        dialog = new LatencyDialog(m_station, m_window);
+        m_latency = dialog;
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
 void BraceletMenu::restore(const QString& option) {

@@ -5,6 +5,7 @@
 #include "app/console/bracelet/bracelet_service.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 
 class QMenu;
@@ -12,7 +13,10 @@ class QWidget;
 
 namespace teleta::console {
 
-/// Chooses the bracelet: from the menu, the settings or the command line. Thread: GUI.
+class LatencyDialog;
+
+/// Chooses the bracelet: from the menu, the settings or the command line; opens what there is to do with it.
+/// Thread: GUI.
 class BraceletMenu : public QObject {
     Q_OBJECT
 
@@ -27,10 +31,12 @@ public:
 private:
     void choose(BraceletChoice choice, const QString& deviceFile = {});
     void askForFile();
+    void openLatency();
 
     BraceletService& m_station;
     ConsoleSettings& m_settings;
     QWidget* m_window;
+    QPointer<LatencyDialog> m_latency;
 };
 
 } // namespace teleta::console

@@ -290,6 +290,10 @@ core::DeviceState BraceletService::state() const {
     return core::observedState(status.state, status.lastData_ns, core::steadyNow_ns(), m_staleAfter_ns);
 }
 
+bool BraceletService::isOnSoundCard() const {
+    return m_session && m_session->source().telemetry().board.sound;
+}
+
 bool BraceletService::isSimulated() const {
     return m_session && m_session->source().description().simulated;
 }

@@ -116,6 +116,8 @@ public:
     /// A line about its state; empty when there is nothing to report.
     [[nodiscard]] QString note() const;
     [[nodiscard]] bool isSimulated() const;
+    /// Connected, and its tactors are on a sound card.
+    [[nodiscard]] bool isOnSoundCard() const;
     /// For the status bar; empty without a bracelet.
     [[nodiscard]] std::optional<chrome::DeviceReading> reading() const;
     [[nodiscard]] std::optional<TouchToSkin::Latency> touchToSkin() const { return m_touchToSkin.latency(); }

@@ -8,7 +8,6 @@
 #include "app/cli/commands/devices/found_device.h"
 #include "app/cli/commands/devices/measured_rate.h"
 #include "app/cli/commands/devices/ros_probes.h"
-#include "app/cli/commands/devices/sound_latency.h"
 #include "app/cli/commands/devices/taxels_report.h"
 #include "backend/core/beside_file.h"
 #include "backend/core/data/output_file.h"
@@ -28,6 +27,7 @@
 #include "devices/modbus/libmodbus_link.h"
 #include "devices/modbus/modbus_probe.h"
 #include "devices/mouse3d/hid_input.h"
+#include "devices/sound_bracelet/latency/sound_latency_file.h"
 #include "devices/sound_bracelet/sound_bracelet.h"
 #include "devices/taxels/magnetometers_file.h"
 #include "devices/taxels/taxels_file.h"
@@ -143,16 +143,15 @@ core::Expected<FoundDevice> probeSound(const std::string& path, const std::strin
         found.error = core::Error{core::ErrorKind::unavailable, status.message, {}, {found.where}};
     found.values = {{"period", file.period_s(), "s"}, {"stated_latency", description.statedLatency_s, "s"}};
     if (!latencyInput.empty() && !found.error) {
-        const auto latency = measureSoundLatency(file, bracelet, stopSwitch, latencyInput);
+        playback::Player player(bracelet, stopSwitch);
+        const auto latency = sound::measureSoundLatency(file, bracelet, player, latencyInput,
+                                                        {.goesOn = [] { return !interrupted(); }});
         if (latency) {
             found.values.push_back({"latency", latency->median_s(), "s"});
             found.values.push_back({"latency_spread", latency->spread_s(), "s"});
-            found.lines =
-                "latency_ms = " + QString::number(1e3 * latency->median_s(), 'f', 2).toStdString() +
-                "\nlatency_spread_ms = " + QString::number(1e3 * latency->spread_s(), 'f', 2).toStdString() +
-                '\n';
+            found.lines = sound::latencyLines(*latency);
         } else {
-            found.error = latency.error();
+            found.error = interruptedInstead(latency.error());
         }
     } else if (std::isfinite(description.measuredLatency_s)) {
         found.values.push_back({"measured_latency", description.measuredLatency_s, "s"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/sound_bracelet/click_listener.h"
+#include "devices/sound_bracelet/latency/click_listener.h"
 
 #include "backend/core/failure.h"
 #include "backend/core/steady_time.h"
@@ -26,8 +26,19 @@ constexpr const char* kListenerName = "TeleTA listener";
 
 } // namespace
 
+core::Expected<std::vector<std::string>> ClickListener::inputs(const SoundBraceletFile& file) {
+    TELETA_TRY(const auto listener, connectTo(file));
+    return listener->inputs();
+}
+
 core::Expected<std::unique_ptr<ClickListener>> ClickListener::open(const SoundBraceletFile& file,
                                                                    const std::string& port) {
+    TELETA_TRY(auto listener, connectTo(file));
+    TELETA_CHECK(listener->start(file, port));
+    return listener;
+}
+
+core::Expected<std::unique_ptr<ClickListener>> ClickListener::connectTo(const SoundBraceletFile& file) {
     if (file.address.api == SoundApi::alsa)
         return core::refused(ListenerText::tr("Inputs of ALSA cannot be listened to."),
                              ListenerText::tr("device = \"pipewire\" or \"jack\" in the device file"));
@@ -43,9 +54,7 @@ core::Expected<std::unique_ptr<ClickListener>> ClickListener::open(const SoundBr
         JackClient* client = jack->clientOpen(kListenerName, kJackNoStartServer, nullptr);
         if (client == nullptr)
             continue;
-        std::unique_ptr<ClickListener> listener(new ClickListener(std::move(*jack), client));
-        TELETA_CHECK(listener->start(file, port));
-        return listener;
+        return std::unique_ptr<ClickListener>(new ClickListener(std::move(*jack), client));
     }
     if (failure)
         return core::Unexpected(*failure);
@@ -61,12 +70,19 @@ ClickListener::~ClickListener() {
     m_jack.clientClose(m_client);
 }
 
-core::Expected<void> ClickListener::start(const SoundBraceletFile& file, const std::string& port) {
-    const std::vector<std::string> inputs =
+std::vector<std::string> ClickListener::inputs() const {
+    std::vector<std::string> names =
         m_jack.names(m_jack.ports(m_client, nullptr, kJackAudio, kJackPortIsOutput));
-    if (std::ranges::find(inputs, port) == inputs.end()) {
+    // What the bracelet plays before it reaches the card.
+    std::erase_if(names, [](const std::string& name) { return name.starts_with(kBraceletClient); });
+    return names;
+}
+
+core::Expected<void> ClickListener::start(const SoundBraceletFile& file, const std::string& port) {
+    const std::vector<std::string> known = inputs();
+    if (std::ranges::find(known, port) == known.end()) {
         QStringList names;
-        for (const std::string& input : inputs)
+        for (const std::string& input : known)
             names << QString::fromStdString(input);
         return core::failed(
             core::ErrorKind::unavailable,

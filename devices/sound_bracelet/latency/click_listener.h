@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace teleta::sound {
 
@@ -19,6 +20,9 @@ namespace teleta::sound {
 /// Thread: one; the library calls back from its own.
 class ClickListener {
 public:
+    /// The inputs that there are, in the order of the server. Error: refused, ALSA directly has none;
+    /// unavailable, the server does not answer. It may take 2 s.
+    [[nodiscard]] static core::Expected<std::vector<std::string>> inputs(const SoundBraceletFile& file);
     /// port: as the server names it, "CARD:capture_1". Error: refused, ALSA directly has no such inputs;
     /// unavailable, there is no such input, with those that there are.
     [[nodiscard]] static core::Expected<std::unique_ptr<ClickListener>> open(const SoundBraceletFile& file,
@@ -36,6 +40,10 @@ public:
 
 private:
     ClickListener(JackLibrary jack, JackClient* client);
+    /// A client that is not connected to any port yet.
+    [[nodiscard]] static core::Expected<std::unique_ptr<ClickListener>>
+    connectTo(const SoundBraceletFile& file);
+    [[nodiscard]] std::vector<std::string> inputs() const;
     [[nodiscard]] core::Expected<void> start(const SoundBraceletFile& file, const std::string& port);
     static int process(std::uint32_t frames, void* self);
 
