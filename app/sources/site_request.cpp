@@ -52,7 +52,8 @@ openSkin(const std::shared_ptr<site_link::SiteClient>& site, const std::string& 
     const std::size_t chips = temperatures != nullptr ? temperatures->channels() : 0;
     TELETA_TRY(pipeline::RecordedArray array, pipeline::recordedArray(stream, site->file().name, chips));
     array.description.recorded = false;
-    TELETA_TRY(auto source, site_link::RemoteArray::open(site, device, array.description, chips));
+    TELETA_TRY(auto source,
+               site_link::RemoteArray::open(site, device, array.description, chips, array.countsLosses));
     auto skin = std::make_shared<pipeline::TouchChannel>(std::move(source), std::move(array.settings));
     skin->setLoads(std::move(array.loads));
     return skin;

@@ -158,8 +158,8 @@ void TouchChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSin
 std::shared_ptr<const TouchTaps> TouchChannel::tapsInto(recording::StreamSink& sink, const std::string& name,
                                                         const ChannelSettings& inUse) const {
     auto taps = std::make_shared<TouchTaps>();
-    taps->frames = sink.addStream(
-        arrayStream(framesStreamName(name), description(), inUse, m_loads ? &*m_loads : nullptr));
+    taps->frames = sink.addStream(arrayStream(framesStreamName(name), description(), inUse,
+                                              m_loads ? &*m_loads : nullptr, countsLosses()));
     taps->features = sink.addStream(featureStream(name + "-features", description(), inUse.loadUnit));
     if (m_thermometers != nullptr)
         taps->temperatures = sink.addStream(numberStream(

@@ -163,7 +163,7 @@ QStringList SiteBar::moreDetails() const {
     lines << tr("%n state(s) of the site were lost on the way", nullptr,
                 static_cast<int>(std::min<std::uint64_t>(m_state.statesLost, 1'000'000)));
     for (const auto& [stream, lost] : m_state.losses)
-        lines << tr("Lost of %1: %2").arg(stream, QLocale().toString(qulonglong{lost}));
+        lines << tr("Lost on the way, %1: %2").arg(stream, QLocale().toString(qulonglong{lost}));
     for (const auto& [reason, count] : m_state.refusedBy)
         lines << tr("Refused: %1 (%2)", "a reason and how often")
                      .arg(reason, QLocale().toString(qulonglong{count}));

@@ -148,11 +148,14 @@ core::Unexpected notDescribed(const recording::StreamInfo& stream, const std::st
 }
 
 recording::StreamInfo arrayStream(const std::string& name, const core::SourceDescription& description,
-                                  const ChannelSettings& settings, const FrameLoads* loads) {
+                                  const ChannelSettings& settings, const FrameLoads* loads,
+                                  bool countsLosses) {
     ordered_json details = layoutJson(description.layout);
     details.update({{"simulated", description.simulated}, {"settings", settingsJson(settings)}});
     if (loads != nullptr)
         details["loads"] = loadsJson(loads->calibration());
+    if (!countsLosses)
+        details["counts_losses"] = false;
     return {.name = name,
             .kind = recording::StreamKind::array,
             .type = recording::ValueType::float32,
@@ -389,6 +392,7 @@ core::Expected<RecordedArray> recordedArray(const recording::StreamInfo& stream,
     description.recorded = true;
     array.settings =
         readSettings(reader, reader.member(reader.root(), "settings"), description.layout, chips);
+    array.countsLosses = reader.boolean(reader.root(), "counts_losses", true);
     array.loads = readLoads(reader, reader.root(), description.layout, array.settings.loadUnit);
     if (reader.error())
         return notDescribed(stream, file, *reader.error());

@@ -39,11 +39,11 @@ inline constexpr std::size_t kWrenchValues = 6;
     return name + "-frames";
 }
 /// Raw frames of an array, with the settings in force for them. name: of the stream. loads: how its loads
-/// follow from them; null: nobody knows.
+/// follow from them; null: nobody knows. countsLosses: as core::LossCounting has it.
 [[nodiscard]] recording::StreamInfo arrayStream(const std::string& name,
                                                 const core::SourceDescription& description,
                                                 const ChannelSettings& settings,
-                                                const FrameLoads* loads = nullptr);
+                                                const FrameLoads* loads = nullptr, bool countsLosses = true);
 /// The event that the settings of an array are others from now on, but for its time. stream: of its frames.
 [[nodiscard]] recording::RecordingEvent settingsEvent(const std::string& stream,
                                                       const ChannelSettings& settings);
@@ -95,6 +95,7 @@ struct RecordedArray {
     core::SourceDescription description;
     ChannelSettings settings;
     std::optional<FrameLoads> loads; ///< nothing: its loads were not calibrated
+    bool countsLosses = true;        ///< as core::LossCounting has it; files of older versions do not say it
 };
 /// file: for errors. chips: that tell their temperatures; 0: none, or their number is not known. Error:
 /// badInput, the stream's details do not say what an array is, or have temperatures of the tare of another

@@ -22,7 +22,7 @@ constexpr std::size_t kQueueTemperatures = 4096;
 core::Expected<std::unique_ptr<RemoteArray>> RemoteArray::open(std::shared_ptr<SiteClient> site,
                                                                const std::string& name,
                                                                core::SourceDescription description,
-                                                               std::size_t chips) {
+                                                               std::size_t chips, bool countsLosses) {
     TELETA_TRY(auto reader,
                dds::Reader<ros::TactileBlock>::open(site->participant(), site->topics().tactile(name),
                                                     kStreamed.withDepth(kReaderDepth)));
@@ -34,16 +34,18 @@ core::Expected<std::unique_ptr<RemoteArray>> RemoteArray::open(std::shared_ptr<S
         temperatures.emplace(std::move(opened));
     }
     return std::unique_ptr<RemoteArray>(new RemoteArray(std::move(site), std::move(description),
-                                                        std::move(reader), chips, std::move(temperatures)));
+                                                        std::move(reader), chips, std::move(temperatures),
+                                                        countsLosses));
 }
 
 RemoteArray::RemoteArray(std::shared_ptr<SiteClient> site, core::SourceDescription description,
                          dds::Reader<ros::TactileBlock> reader, std::size_t chips,
-                         std::optional<dds::Reader<ros::TactileBlock>> temperatureReader)
+                         std::optional<dds::Reader<ros::TactileBlock>> temperatureReader, bool countsLosses)
     : m_site(std::move(site))
     , m_description(std::move(description))
     , m_reader(std::move(reader))
     , m_chips(chips)
+    , m_countsLosses(countsLosses)
     , m_temperatureReader(std::move(temperatureReader))
     , m_waitSet(m_site->participant())
     , m_outlet(kQueueBlocks)

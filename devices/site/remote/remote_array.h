@@ -3,6 +3,7 @@
 
 #include "backend/core/device/chip_thermometers.h"
 #include "backend/core/device/device.h"
+#include "backend/core/device/loss_counting.h"
 #include "backend/core/device/source_outlet.h"
 #include "backend/core/error.h"
 #include "backend/core/threads/device_thread.h"
@@ -23,13 +24,14 @@ namespace teleta::site_link {
 /// here.
 ///   connecting -> live <-> stale; stop(): closed
 /// Thread: as core::TactileSource.
-class RemoteArray : public core::TactileSource, public core::ChipThermometers {
+class RemoteArray : public core::TactileSource, public core::ChipThermometers, public core::LossCounting {
 public:
     /// name: of the array, or of the arm that wears it. description: as the site describes it. chips: that
-    /// tell the site how warm they are; 0: none. Error: unavailable, its topics cannot be opened.
+    /// tell the site how warm they are; 0: none. countsLosses: whether the site can know what the sensor
+    /// lost; what is lost on the way here is counted always. Error: unavailable, its topics cannot be opened.
     [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArray>>
     open(std::shared_ptr<SiteClient> site, const std::string& name, core::SourceDescription description,
-         std::size_t chips = 0);
+         std::size_t chips = 0, bool countsLosses = true);
 
     [[nodiscard]] const core::SourceDescription& description() const override { return m_description; }
     void start(core::Wakeup& consumer) override { m_thread.start(consumer); }
@@ -40,12 +42,13 @@ public:
     [[nodiscard]] core::BoundedQueue<core::TemperatureSample>& temperatures() override {
         return m_temperatures;
     }
+    [[nodiscard]] bool countsLosses() const override { return m_countsLosses; }
 
 private:
     friend core::DeviceThread<RemoteArray>;
     RemoteArray(std::shared_ptr<SiteClient> site, core::SourceDescription description,
                 dds::Reader<ros::TactileBlock> reader, std::size_t chips,
-                std::optional<dds::Reader<ros::TactileBlock>> temperatureReader);
+                std::optional<dds::Reader<ros::TactileBlock>> temperatureReader, bool countsLosses);
 
     void open(core::Wakeup& consumer);
     void run(const std::stop_token& stop);
@@ -57,6 +60,7 @@ private:
     core::SourceDescription m_description;
     dds::Reader<ros::TactileBlock> m_reader;
     std::size_t m_chips;
+    bool m_countsLosses;
     std::optional<dds::Reader<ros::TactileBlock>> m_temperatureReader; ///< nothing: there are no chips
     dds::WaitSet m_waitSet;
     core::SourceOutlet m_outlet;

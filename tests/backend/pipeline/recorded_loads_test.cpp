@@ -71,6 +71,18 @@ TEST(RecordedLoads, anArrayWithoutACalibrationHasNone) {
     EXPECT_FALSE(array->loads);
 }
 
+TEST(RecordedLoads, anArraySaysWhetherItsLossesAreCounted) {
+    for (const bool isCounted : {true, false}) {
+        const auto array = recordedArray(
+            arrayStream("pad-frames", described(), inCounts(), /*loads=*/nullptr, isCounted), "file.teleta");
+        ASSERT_TRUE(array) << core::describe(array.error());
+        EXPECT_EQ(array->countsLosses, isCounted);
+    }
+    // Files and sites of older versions do not say it.
+    const recording::StreamInfo stream = arrayStream("pad-frames", described(), inCounts());
+    EXPECT_FALSE(json::parse(stream.details).contains("counts_losses"));
+}
+
 TEST(RecordedLoads, refusesWhatIsNoCalibrationOfTheArray) {
     struct Case {
         const char* key;

@@ -62,13 +62,14 @@ protected:
     PeerProcess m_board;
 };
 
-TEST_F(SiteSkin, itsConsolesHaveItsLoadsAndItsTemperatures) {
+TEST_F(SiteSkin, itsConsolesHaveItsLoadsAndItsTemperaturesAndKnowThatItsLossesAreNotCounted) {
     TestConsole console(m_site, "a");
     const app::SiteRequest request{{}, "lab", "skin", console.sharedClient()};
     const auto opened = app::openRemote(console.sharedClient(), request);
     ASSERT_TRUE(opened) << core::describe(opened.error());
     const auto channel = std::dynamic_pointer_cast<pipeline::TouchChannel>(*opened);
     ASSERT_TRUE(channel);
+    EXPECT_FALSE(channel->countsLosses());
     const std::string path = m_site.folder().filePath("console.teleta").toStdString();
     auto started = recording::Recorder::start(path, {});
     ASSERT_TRUE(started) << core::describe(started.error());

@@ -169,12 +169,12 @@ private slots:
         bar.setState(state);
         const auto* details = bar.findChild<QLabel*>("details");
         const QString told = details->accessibleDescription();
-        QCOMPARE(told,
-                 QStringLiteral("In control: b (B. <i>Name</i>); Viewers: v (V. Name), w; "
-                                "Loop: median 41 ms, 99 %: 63 ms; Clock offset: -12.346 s \u00b1 21 ms; "
-                                "2 state(s) of the site were lost on the way; Lost of arm: joints: 12; "
-                                "Lost of pad: 0; Refused: STOP is engaged (3); "
-                                "Refused: the arm is not live (1)"));
+        QCOMPARE(told, QStringLiteral(
+                           "In control: b (B. <i>Name</i>); Viewers: v (V. Name), w; "
+                           "Loop: median 41 ms, 99 %: 63 ms; Clock offset: -12.346 s \u00b1 21 ms; "
+                           "2 state(s) of the site were lost on the way; Lost on the way, arm: joints: 12; "
+                           "Lost on the way, pad: 0; Refused: STOP is engaged (3); "
+                           "Refused: the arm is not live (1)"));
         QVERIFY2(details->toolTip().contains("B. &lt;i&gt;Name"), "a name is no markup");
         QCOMPARE(bar.findChild<QLabel*>("headline")->toolTip(), details->toolTip());
     }
