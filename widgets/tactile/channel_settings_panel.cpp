@@ -105,11 +105,11 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
         defaults.conditioning.taxelGain = m_settings.conditioning.taxelGain;
         defaults.conditioning.dead = m_settings.conditioning.dead;
         defaults.loadUnit = m_settings.loadUnit;
-        setSettings(defaults);
+        setSettings(defaults, m_layout);
         emit settingsChanged(settings());
     });
     retranslate();
-    setSettings({});
+    setSettings({}, {});
     base::onChange(this,
                    [this] {
                        retranslate();
@@ -118,9 +118,11 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
                    {QEvent::LanguageChange});
 }
 
-void ChannelSettingsPanel::setSettings(const pipeline::ChannelSettings& settings) {
+void ChannelSettingsPanel::setSettings(const pipeline::ChannelSettings& settings,
+                                       const core::TaxelLayout& layout) {
     m_showing = true;
     m_settings = settings;
+    m_layout = layout;
     m_gain->setValue(settings.conditioning.gain);
     m_inverted->setChecked(settings.conditioning.inverted);
     m_threshold->setValue(settings.features.threshold_N);
@@ -177,10 +179,18 @@ void ChannelSettingsPanel::showUnits() {
 
 void ChannelSettingsPanel::showTare() {
     const auto& tare = m_settings.conditioning.tare;
-    const auto dead = std::count_if(tare.begin(), tare.end(), [](float value) { return std::isnan(value); });
+    int dead = 0;
+    if (tare.size() == m_layout.values()) {
+        const auto components = static_cast<std::ptrdiff_t>(m_layout.components());
+        auto value = tare.begin();
+        for (std::size_t taxel = 0; taxel < m_layout.taxels(); ++taxel, value += components)
+            if (!m_layout.isAbsent(taxel) &&
+                std::any_of(value, value + components, [](float each) { return std::isnan(each); }))
+                ++dead;
+    }
     QString text = tare.empty() ? tr("Not tared") : tr("Tared");
     if (dead > 0)
-        text = tr("Tared, %n taxel(s) without a reading", nullptr, static_cast<int>(dead));
+        text = tr("Tared, %n taxel(s) without a reading", nullptr, dead);
     if (!m_settings.conditioning.taxelGain.empty())
         text += QStringLiteral(" \u00b7 ") + tr("taxel gains in use");
     m_tareState->setText(text);

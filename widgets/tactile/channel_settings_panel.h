@@ -24,8 +24,8 @@ class ChannelSettingsPanel : public QWidget {
 public:
     explicit ChannelSettingsPanel(QWidget* parent = nullptr);
 
-    /// Shows the settings in use. Emits nothing.
-    void setSettings(const pipeline::ChannelSettings& settings);
+    /// Shows the settings in use for an array of this layout. Emits nothing.
+    void setSettings(const pipeline::ChannelSettings& settings, const core::TaxelLayout& layout);
     /// The settings as shown, with the tare of the last setSettings().
     [[nodiscard]] pipeline::ChannelSettings settings() const;
 
@@ -41,6 +41,7 @@ private:
     void retranslate();
 
     pipeline::ChannelSettings m_settings;
+    core::TaxelLayout m_layout;
     bool m_showing = false;
 
     QFormLayout* m_form;

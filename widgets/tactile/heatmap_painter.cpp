@@ -523,17 +523,29 @@ void HeatmapPainter::paintLegend() {
     line.setHeight(std::min(rect.height(), 1.4 * m_em));
     const double radius = 0.3 * m_em;
     const auto item = [&](const QString& text, auto&& symbol) {
-        const double width = 1.2 * m_em + base::tabularWidth(metrics, text) + m_em;
-        if (line.left() + width > rect.right() + m_em || line.bottom() > rect.bottom() + 0.5)
+        const double textLeft = line.left() + 1.2 * m_em;
+        double width = 1.2 * m_em + base::tabularWidth(metrics, text) + m_em;
+        double lower = 0.0; // where a text goes on below its line
+        if (line.left() + width > rect.right() + m_em && m_layout->isLegendBeside()) {
+            const QRectF room(0.0, 0.0, rect.right() - textLeft, rect.height());
+            lower = metrics.boundingRect(room, Qt::TextWordWrap, text).height() - metrics.height();
+            width = rect.right() - line.left() + m_em;
+        }
+        if (line.left() + width > rect.right() + m_em || line.bottom() + lower > rect.bottom() + 0.5)
             return;
         m_painter->setPen(QPen(ink, std::max(1.5, 0.11 * m_em), Qt::SolidLine, Qt::RoundCap));
         m_painter->setBrush(Qt::NoBrush);
         symbol(QPointF(line.left() + 0.5 * m_em, line.center().y()));
         m_painter->setPen(ink);
-        base::drawTabularText(*m_painter, QRectF(line.left() + 1.2 * m_em, line.top(), width, line.height()),
-                              Qt::AlignLeft | Qt::AlignVCenter, text);
+        if (lower > 0.0)
+            m_painter->drawText(QRectF(textLeft, line.center().y() - 0.5 * metrics.height(),
+                                       rect.right() - textLeft, metrics.height() + lower),
+                                Qt::TextWordWrap, text);
+        else
+            base::drawTabularText(*m_painter, QRectF(textLeft, line.top(), width, line.height()),
+                                  Qt::AlignLeft | Qt::AlignVCenter, text);
         if (m_layout->isLegendBeside())
-            line.translate(0.0, line.height());
+            line.translate(0.0, line.height() + lower);
         else
             line.setLeft(line.left() + width);
     };

@@ -268,7 +268,7 @@ void OperatePage::tickArray(pipeline::TouchChannel& array, SourceManager::Item& 
     m_latency_s = static_cast<double>(now_ns - array.snapshot().time_ns) * 1e-9;
     if (m_settingsRevision != array.settingsRevision()) {
         m_settingsRevision = array.settingsRevision();
-        m_settings->setSettings(array.settings());
+        m_settings->setSettings(array.settings(), array.description().layout);
     }
 }
 
@@ -372,7 +372,7 @@ void OperatePage::showArray(pipeline::TouchChannel* array, base::Provenance prov
     const pipeline::ChannelSettings settings = array->settings();
     m_charts->setLoadUnit(QString::fromStdString(settings.loadUnit));
     m_charts->setVectors(array->description().layout.isVector());
-    m_settings->setSettings(settings);
+    m_settings->setSettings(settings, array->description().layout);
     m_settingsRevision = array->settingsRevision();
     m_heatmap->setLoads(array->newestLoads());
     if (array->generation() > 0) {

@@ -4,12 +4,15 @@
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 
 using teleta::pipeline::ChannelSettings;
@@ -20,6 +23,8 @@ Q_DECLARE_METATYPE(teleta::pipeline::ChannelSettings)
 /// The panel of processing settings.
 class ChannelSettingsPanelTest : public QObject {
     Q_OBJECT
+
+    static constexpr teleta::core::ArrayLayout kTwoTaxels{.rows = 1, .columns = 2, .pitchX_m = 0.004};
 
     template <typename Widget>
     static Widget* named(const ChannelSettingsPanel& panel, const QString& accessibleName) {
@@ -61,12 +66,12 @@ private slots:
     void everyNumberHasItsUnit() {
         ChannelSettingsPanel panel;
         ChannelSettings settings = unusual();
-        panel.setSettings(settings);
+        panel.setSettings(settings, kTwoTaxels);
         QCOMPARE(named<QDoubleSpinBox>(panel, "Gain")->suffix(), QStringLiteral(" counts/raw unit"));
         QCOMPARE(named<QDoubleSpinBox>(panel, "Threshold")->suffix(), QStringLiteral(" counts"));
         QCOMPARE(named<QSpinBox>(panel, "Smallest contact")->suffix(), QStringLiteral(" taxels"));
         settings.segmentation.minimumTaxels = 1;
-        panel.setSettings(settings);
+        panel.setSettings(settings, kTwoTaxels);
         QCOMPARE(named<QSpinBox>(panel, "Smallest contact")->suffix(), QStringLiteral(" taxel"));
         for (const auto* field : panel.findChildren<QAbstractSpinBox*>())
             QVERIFY2(!field->property("suffix").toString().isEmpty(), qPrintable(field->accessibleName()));
@@ -75,7 +80,7 @@ private slots:
     void givesBackWhatItShowsWithoutASignal() {
         ChannelSettingsPanel panel;
         QSignalSpy changes(&panel, &ChannelSettingsPanel::settingsChanged);
-        panel.setSettings(unusual());
+        panel.setSettings(unusual(), kTwoTaxels);
         QCOMPARE(changes.size(), 0);
         const ChannelSettings shown = panel.settings();
         QCOMPARE(shown.conditioning.gain, 2.5);
@@ -116,7 +121,7 @@ private slots:
 
     void defaultsLeaveTareDeadTaxelsAndUnit() {
         ChannelSettingsPanel panel;
-        panel.setSettings(unusual());
+        panel.setSettings(unusual(), kTwoTaxels);
         QSignalSpy changes(&panel, &ChannelSettingsPanel::settingsChanged);
         QTest::mouseClick(button(panel, "Defaults"), Qt::LeftButton);
         QCOMPARE(changes.size(), 1);
@@ -126,10 +131,33 @@ private slots:
         QCOMPARE(settings.loadUnit, std::string("counts"));
     }
 
+    /// A cross on a grid of 3 by 3, with three components each, of which one lacks a component.
+    void countsTaxelsWithoutAReadingAndNoneWhereThereIsNone() {
+        teleta::core::TaxelLayout cross({.rows = 3, .columns = 3, .pitchX_m = 0.007}, 3);
+        cross.setAbsent({1, 0, 1, 0, 0, 0, 1, 0, 1});
+        ChannelSettings settings;
+        settings.conditioning.tare.assign(cross.values(), 1.0F);
+        for (const std::size_t taxel : {0U, 2U, 6U, 8U})
+            std::fill_n(settings.conditioning.tare.begin() + 3 * taxel, 3,
+                        std::numeric_limits<float>::quiet_NaN());
+        ChannelSettingsPanel panel;
+        panel.setSettings(settings, cross);
+        const auto tells = [&panel](const QString& text) {
+            const auto labels = panel.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const QLabel* label) { return label->text() == text; });
+        };
+        QVERIFY(tells(QStringLiteral("Tared")));
+        settings.conditioning.tare[3 * 4 + 1] = std::numeric_limits<float>::quiet_NaN();
+        settings.conditioning.tare[3 * 4 + 2] = std::numeric_limits<float>::quiet_NaN();
+        panel.setSettings(settings, cross);
+        QVERIFY(tells(QStringLiteral("Tared, 1 taxel(s) without a reading")));
+    }
+
     void asksForTareAndOnlyOffersToClearOneThatIsThere() {
         ChannelSettingsPanel panel;
         QVERIFY(!button(panel, "Clear tare")->isEnabled());
-        panel.setSettings(unusual());
+        panel.setSettings(unusual(), kTwoTaxels);
         QVERIFY(button(panel, "Clear tare")->isEnabled());
         QSignalSpy tares(&panel, &ChannelSettingsPanel::tareRequested);
         QSignalSpy clears(&panel, &ChannelSettingsPanel::clearTareRequested);

@@ -170,6 +170,16 @@ private slots:
         QVERIFY(with.image.copy(map.header().toRect()) != without.image.copy(map.header().toRect()));
     }
 
+    void aLegendBesideTheArrayHasTheLengthOfTheArrows() {
+        const TaxelLayout layout(ArrayLayout{2, 2, 0.004}, 3);
+        std::vector<float> raw(layout.values(), -1.0F);
+        const View with(snapshotOf(layout, raw), true);
+        const View without(snapshotOf(layout, raw));
+        const HeatmapLayout map = with.view.layoutNow();
+        QVERIFY(map.isLegendBeside());
+        QVERIFY(with.image.copy(map.legend().toRect()) != without.image.copy(map.legend().toRect()));
+    }
+
     void shearStandsInTheReadOutAndInTheData() {
         View picture(snapshotOf(TaxelLayout(ArrayLayout{1, 1, 0.004}, 3), {0.3F, -0.4F, -1.0F}));
         QTest::keyClick(&picture.view, Qt::Key_Right);

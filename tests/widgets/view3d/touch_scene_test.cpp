@@ -55,6 +55,26 @@ TEST(TouchScene, snapshotsChangeArraysAndMakeNoNewObjects) {
     EXPECT_EQ(objectsOf(scene), before);
 }
 
+TEST(TouchScene, drawsNothingWhereTheArrayHasNoTaxel) {
+    static constexpr core::ArrayLayout kCross{.rows = 3, .columns = 3, .pitchX_m = 0.007};
+    const auto facesOf = [](const core::TaxelLayout& layout) {
+        TouchScene scene = test::emptyScene();
+        auto snapshot = test::pressed(kCross, {});
+        snapshot.layout = layout;
+        scene.take(snapshot);
+        scene.draw();
+        vtkIdType faces = 0;
+        for (vtkObject* object : objectsOf(scene))
+            if (auto* mesh = vtkPolyData::SafeDownCast(object))
+                faces += mesh->GetNumberOfPolys();
+        return faces;
+    };
+    core::TaxelLayout cross(kCross);
+    cross.setAbsent({1, 0, 1, 0, 0, 0, 1, 0, 1});
+    constexpr vtkIdType kFacesOfCell = 5;
+    EXPECT_EQ(facesOf(kCross) - facesOf(cross), 4 * kFacesOfCell);
+}
+
 TEST(TouchScene, theSameFrameIsNotDrawnTwice) {
     TouchScene scene = test::emptyScene();
     const auto snapshot = test::pressed(kLayout, {{1, 0.0, 0.0, 1.0}}, 7);

@@ -60,7 +60,7 @@ void TaxelMesh::borderOn(vtkActor& actor) {
     actor.SetTexture(texture);
 }
 
-void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map) {
+void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std::vector<bool>& hasTaxel) {
     m_corners.clear();
     m_corners.reserve(kCornersOfCell * grid.cells());
     const auto points = static_cast<vtkIdType>(kPointsOfCell * grid.cells());
@@ -89,6 +89,8 @@ void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map) {
                     place = m_corners[i].foot;
                 }
             }
+            if (!hasTaxel[m_corners.size() / kCornersOfCell - 1])
+                continue;
             faces->InsertNextCell({base + 4, base + 5, base + 6, base + 7});
             for (vtkIdType side = 0; side < 4; ++side) {
                 const vtkIdType next = (side + 1) % 4;

@@ -27,7 +27,8 @@ public:
     /// Lets the border of each cell be darkened by a texture, which fades into the colour of the cell where
     /// cells are small on the screen: lines would break into dashes there.
     void borderOn(vtkActor& actor);
-    void rebuild(const DrawnGrid& grid, const SurfaceMap& map);
+    /// hasTaxel: whether anything is drawn of each cell.
+    void rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std::vector<bool>& hasTaxel);
     /// One height (m, finite) and one colour for each cell. Allocates nothing.
     void update(std::span<const float> height_m, std::span<const QRgb> colour);
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <numbers>
 
 namespace teleta::view3d {
@@ -79,19 +81,25 @@ void SensorPart::applyPixelScale(double scale) {
     m_rings.setLineWidth(kRing_px, scale);
 }
 
-void SensorPart::rebuild(const core::ArrayLayout& layout, const SurfaceMap& map,
+void SensorPart::rebuild(const core::TaxelLayout& layout, const SurfaceMap& map,
                          const CylinderSize& cylinder) {
-    m_layout = layout;
-    m_grid = DrawnGrid(layout);
+    m_layout = layout.grid();
+    m_grid = DrawnGrid(m_layout);
     m_map = map;
     m_cylinder = cylinder;
-    m_size = SensorSize::of(layout, m_grid, map);
+    m_size = SensorSize::of(m_layout, m_grid, map);
     m_share.assign(m_grid.cells(), 0.0F);
     m_height_m.assign(m_grid.cells(), 0.0F);
     m_colour.assign(m_grid.cells(), 0);
     m_deadCells.reserve(m_grid.cells());
     m_crossedCells.clear();
-    m_taxels.rebuild(m_grid, map);
+    std::vector<bool> hasTaxel(m_grid.cells());
+    for (std::size_t taxel = 0; taxel < layout.taxels(); ++taxel) {
+        const auto place = std::div(static_cast<long>(taxel), static_cast<long>(m_layout.columns));
+        if (!layout.isAbsent(taxel))
+            hasTaxel[m_grid.cellOf(static_cast<int>(place.quot), static_cast<int>(place.rem))] = true;
+    }
+    m_taxels.rebuild(m_grid, map, hasTaxel);
     rebuildSlab();
     rebuildCylinder();
     update(std::vector<float>(m_share));

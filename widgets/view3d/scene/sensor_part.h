@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/data/taxel_layout.h"
 #include "widgets/view3d/mesh/mesh_actor.h"
 #include "widgets/view3d/mesh/surface_map.h"
 #include "widgets/view3d/mesh/taxel_mesh.h"
@@ -43,7 +44,8 @@ public:
     void applyColours(const SceneColours& colours);
     void applyPixelScale(double scale);
 
-    void rebuild(const core::ArrayLayout& layout, const SurfaceMap& map, const CylinderSize& cylinder);
+    /// Cells without a taxel show the slab.
+    void rebuild(const core::TaxelLayout& layout, const SurfaceMap& map, const CylinderSize& cylinder);
     /// share: load over the range for each drawn cell, clamped to 0..1; NaN: dead.
     void update(std::span<const float> share);
 
