@@ -4,6 +4,8 @@
 namespace teleta::signal {
 
 QString unitText(const QString& unit) {
+    if (unit == QLatin1String("degC"))
+        return QStringLiteral("\u00b0C");
     QString text = unit;
     return text.replace(QLatin1Char('2'), QChar(0x00B2));
 }

@@ -118,6 +118,9 @@ private slots:
         m_view->setCurves({{"q1", "rad", 2, m_angle, nullptr, false}});
         draw();
         QCOMPARE(m_view->axes().count(), std::size_t{1});
+        m_view->setCurves({{"temperature_0_degc", "degC", 1, m_force, nullptr, false}});
+        draw();
+        QCOMPARE(m_view->axes().axisOf("degC")->label(), QStringLiteral("\u00b0C"));
     }
 
     void drawsFewPointsOfManySamples() {
