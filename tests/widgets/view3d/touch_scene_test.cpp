@@ -21,6 +21,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <vector>
 
 using namespace teleta;
 using view3d::Surface;
@@ -73,6 +74,30 @@ TEST(TouchScene, drawsNothingWhereTheArrayHasNoTaxel) {
     cross.setAbsent({1, 0, 1, 0, 0, 0, 1, 0, 1});
     constexpr vtkIdType kFacesOfCell = 5;
     EXPECT_EQ(facesOf(kCross) - facesOf(cross), 4 * kFacesOfCell);
+}
+
+/// The border of a cell is in its texture: the middle of it has none.
+TEST(TouchScene, discsHaveNoBordersOfCells) {
+    const auto placesInTexture = [](const core::TaxelLayout& layout) {
+        TouchScene scene = test::emptyScene();
+        pipeline::TouchSnapshot snapshot;
+        snapshot.layout = layout;
+        snapshot.load_N.assign(layout.taxels(), 0.0F);
+        scene.take(snapshot);
+        scene.draw();
+        std::set<double> places;
+        for (vtkObject* object : objectsOf(scene)) {
+            auto* mesh = vtkPolyData::SafeDownCast(object);
+            vtkDataArray* all = mesh != nullptr ? mesh->GetPointData()->GetTCoords() : nullptr;
+            for (vtkIdType i = 0; all != nullptr && i < all->GetNumberOfTuples(); ++i)
+                places.insert(all->GetComponent(i, 0));
+        }
+        return places;
+    };
+    EXPECT_EQ(placesInTexture(kLayout), (std::set<double>{0.0, 0.5, 1.0}));
+    const core::TaxelLayout discs(std::make_shared<const core::TaxelPlaces>(
+        std::vector<core::TaxelPlace>{{-0.005, -0.004}, {0.005, -0.004}, {0.0, 0.006}}));
+    EXPECT_EQ(placesInTexture(discs), std::set<double>{0.5});
 }
 
 TEST(TouchScene, theSameFrameIsNotDrawnTwice) {

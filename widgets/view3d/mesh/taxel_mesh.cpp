@@ -20,9 +20,11 @@ constexpr std::size_t kColourComponents = 3;
 constexpr int kTexture_px = 32;
 constexpr int kBorder_px = 2;
 constexpr unsigned char kBorderShade = 120; ///< of 255
+constexpr float kMiddle = 0.5F;
 /// Of the points of a cell in the texture.
-constexpr std::array<float, 2 * kPointsOfCell> kPlaces{0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F,
-                                                       0.0F, 0.0F, 1.0F, 0.0F, 1.0F, 1.0F, 0.0F, 1.0F};
+constexpr std::array<float, 2 * kPointsOfCell> kPlaces{kMiddle, kMiddle, kMiddle, kMiddle, kMiddle, kMiddle,
+                                                       kMiddle, kMiddle, 0.0F,    0.0F,    1.0F,    0.0F,
+                                                       1.0F,    1.0F,    0.0F,    1.0F};
 
 } // namespace
 
@@ -60,7 +62,8 @@ void TaxelMesh::borderOn(vtkActor& actor) {
     actor.SetTexture(texture);
 }
 
-void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std::vector<bool>& hasTaxel) {
+void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std::vector<bool>& hasTaxel,
+                        bool bordered) {
     m_corners.clear();
     m_corners.reserve(kCornersOfCell * grid.cells());
     const auto points = static_cast<vtkIdType>(kPointsOfCell * grid.cells());
@@ -76,7 +79,8 @@ void TaxelMesh::rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std:
             const DrawnGrid::Edges edges = grid.edges(row, column);
             const auto base = static_cast<vtkIdType>(2 * m_corners.size());
             // The feet lie in its middle, so that the sides fade to the colour of the cell.
-            inTexture = std::ranges::copy(kPlaces, inTexture).out;
+            inTexture = bordered ? std::ranges::copy(kPlaces, inTexture).out
+                                 : std::fill_n(inTexture, kPlaces.size(), kMiddle);
             for (const auto& [x, y] : {std::array{edges.x0_m, edges.y0_m},
                                        {edges.x1_m, edges.y0_m},
                                        {edges.x1_m, edges.y1_m},

@@ -27,8 +27,9 @@ public:
     /// Lets the border of each cell be darkened by a texture, which fades into the colour of the cell where
     /// cells are small on the screen: lines would break into dashes there.
     void borderOn(vtkActor& actor);
-    /// hasTaxel: whether anything is drawn of each cell.
-    void rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std::vector<bool>& hasTaxel);
+    /// hasTaxel: whether anything is drawn of each cell. bordered: false, where a taxel has several cells.
+    void rebuild(const DrawnGrid& grid, const SurfaceMap& map, const std::vector<bool>& hasTaxel,
+                 bool bordered);
     /// One height (m, finite) and one colour for each cell. Allocates nothing.
     void update(std::span<const float> height_m, std::span<const QRgb> colour);
 

@@ -15,7 +15,7 @@ namespace teleta::view3d {
 class PlaceRaster {
 public:
     static constexpr int kMostSide = 120;
-    static constexpr double kCellsAcross = 5.0; ///< a usual disc, where kMostSide lets it
+    static constexpr double kCellsAcross = 12.0; ///< a usual disc, where kMostSide lets it
 
     explicit PlaceRaster(const core::TaxelPlaces& places);
 

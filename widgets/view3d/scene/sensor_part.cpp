@@ -81,8 +81,8 @@ void SensorPart::applyPixelScale(double scale) {
     m_rings.setLineWidth(kRing_px, scale);
 }
 
-void SensorPart::rebuild(const core::TaxelLayout& layout, const SurfaceMap& map,
-                         const CylinderSize& cylinder) {
+void SensorPart::rebuild(const core::TaxelLayout& layout, const SurfaceMap& map, const CylinderSize& cylinder,
+                         bool bordered) {
     m_layout = layout.grid();
     m_grid = DrawnGrid(m_layout);
     m_map = map;
@@ -99,7 +99,7 @@ void SensorPart::rebuild(const core::TaxelLayout& layout, const SurfaceMap& map,
         if (!layout.isAbsent(taxel))
             hasTaxel[m_grid.cellOf(static_cast<int>(place.quot), static_cast<int>(place.rem))] = true;
     }
-    m_taxels.rebuild(m_grid, map, hasTaxel);
+    m_taxels.rebuild(m_grid, map, hasTaxel, bordered);
     rebuildSlab();
     rebuildCylinder();
     update(std::vector<float>(m_share));

@@ -44,8 +44,9 @@ public:
     void applyColours(const SceneColours& colours);
     void applyPixelScale(double scale);
 
-    /// Cells without a taxel show the slab.
-    void rebuild(const core::TaxelLayout& layout, const SurfaceMap& map, const CylinderSize& cylinder);
+    /// Cells without a taxel show the slab. bordered: each cell shows its border.
+    void rebuild(const core::TaxelLayout& layout, const SurfaceMap& map, const CylinderSize& cylinder,
+                 bool bordered);
     /// share: load over the range for each drawn cell, clamped to 0..1; NaN: dead.
     void update(std::span<const float> share);
 

@@ -151,7 +151,7 @@ void TouchScene::rebuildSensor() {
     if (!m_hasSensor)
         return;
     const SurfaceMap map(m_surface, cylinder().radius_m);
-    m_sensor.rebuild(m_snapshot.layout, map, cylinder());
+    m_sensor.rebuild(m_snapshot.layout, map, cylinder(), /*bordered=*/!m_raster);
     m_sensor.setVisible(true);
     m_cell_N.assign(m_sensor.grid().cells(), 0.0F);
     const Eigen::Vector3d body = sensorBox_m().max();
