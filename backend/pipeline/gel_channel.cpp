@@ -92,11 +92,12 @@ void GelChannel::watch(Watcher who, const std::shared_ptr<recording::StreamSink>
 std::shared_ptr<const GelTaps> GelChannel::tapsInto(const std::shared_ptr<recording::StreamSink>& sink,
                                                     const std::string& name) const {
     const std::string reference = name + "-reference";
+    const equilibration::LoadCalibration* calibration = m_loads ? &m_loads->calibration() : nullptr;
     auto taps = std::make_shared<GelTaps>();
     taps->reference = sink->addStream(gelReferenceStream(reference, m_description));
-    taps->pictures = sink->addStream(gelStream(name + "-camera", m_description, m_file, reference,
-                                               m_loads ? &m_loads->calibration() : nullptr));
-    taps->contacts = sink->addStream(gelContactStream(name + "-contacts", m_description));
+    taps->pictures =
+        sink->addStream(gelStream(name + "-camera", m_description, m_file, reference, calibration));
+    taps->contacts = sink->addStream(gelContactStream(name + "-contacts", m_description, calibration));
     taps->event = [weak = std::weak_ptr<recording::StreamSink>(sink), name](const GelEvent& event,
                                                                             std::int64_t time_ns) {
         if (const auto kept = weak.lock())
@@ -428,7 +429,10 @@ void GelChannel::recordContacts(const core::CameraFrame& frame) {
         if (!taps)
             continue;
         for (const GelContactState& contact : m_follower.contacts()) {
-            const auto values = gelContactValues(contact);
+            const auto proxies = gelContactValues(contact);
+            std::vector<double> values(proxies.begin(), proxies.end());
+            if (m_loads)
+                std::ranges::copy(loadValues(m_loads->at(contact)), std::back_inserter(values));
             taps->contacts->append(frame.time_ns, frame.capture_s, std::span<const double>(values));
         }
     }

@@ -4,13 +4,16 @@
 #include "backend/core/data/json_document.h"
 #include "backend/pipeline/recorded/recorded_loads.h"
 #include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/recording/stream_columns.h"
 
 #include <QCoreApplication>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -93,13 +96,17 @@ recording::StreamInfo gelReferenceStream(const std::string& name,
             .details = nlohmann::ordered_json{{"reference", true}, {"marker_gel_rest", true}}.dump()};
 }
 
-recording::StreamInfo gelContactStream(const std::string& name, const core::CameraDescription& description) {
+recording::StreamInfo gelContactStream(const std::string& name, const core::CameraDescription& description,
+                                       const equilibration::LoadCalibration* loads) {
+    std::vector<recording::Column> columns = recording::gelContactColumns();
+    if (loads != nullptr)
+        std::ranges::copy(loadColumns(loads->loads), std::back_inserter(columns));
     return {.name = name,
             .kind = recording::StreamKind::contacts,
             .type = recording::ValueType::float64,
             .source = description.name,
-            .shape = {kGelContactValues},
-            .columns = recording::gelContactColumns()};
+            .shape = {columns.size()},
+            .columns = columns};
 }
 
 std::array<double, kGelContactValues> gelContactValues(const vision::GelContactState& contact) {

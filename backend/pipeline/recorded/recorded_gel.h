@@ -34,10 +34,12 @@ inline constexpr std::size_t kGelContactValues = 9;
 /// next one comes.
 [[nodiscard]] recording::StreamInfo gelReferenceStream(const std::string& name,
                                                        const core::CameraDescription& description);
-/// Contacts that were found, one frame a contact.
+/// Contacts that were found, one frame a contact. loads: those that follow by it are further columns, as
+/// loadColumns(); null: none.
 [[nodiscard]] recording::StreamInfo gelContactStream(const std::string& name,
-                                                     const core::CameraDescription& description);
-/// A frame of a stream of contacts; NaN where nothing is known.
+                                                     const core::CameraDescription& description,
+                                                     const equilibration::LoadCalibration* loads = nullptr);
+/// A frame of a stream of contacts without loads; NaN where nothing is known.
 [[nodiscard]] std::array<double, kGelContactValues> gelContactValues(const vision::GelContactState& contact);
 
 /// The pictures of a gel at rest, one below the other, as one picture; empty: they are none, or differ in

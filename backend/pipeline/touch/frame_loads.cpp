@@ -61,9 +61,9 @@ core::Expected<FrameLoads> FrameLoads::read(const std::string& path, const core:
     return FrameLoads(std::move(calibration), layout, loadUnit);
 }
 
-std::vector<recording::Column> FrameLoads::columns() const {
+std::vector<recording::Column> loadColumns(const std::vector<std::string>& names) {
     std::vector<recording::Column> columns;
-    for (const std::string& load : m_calibration.loads) {
+    for (const std::string& load : names) {
         columns.push_back({load, unitOf(load)});
         columns.push_back({load + "_se", unitOf(load)});
     }

@@ -14,6 +14,10 @@
 
 namespace teleta::pipeline {
 
+/// Columns of recorded loads: NAME and NAME_se of each, then extrapolated, 0 or 1. names: of
+/// equilibration::kLoadColumns. Thread: any (pure).
+[[nodiscard]] std::vector<recording::Column> loadColumns(const std::vector<std::string>& names);
+
 /// Loads of a whole frame of an array, in N and N m, that follow from its signals by a calibration with known
 /// presses. The signals are columns of what a recording of the array is exported as:
 ///   t0, t1, ..., of vectors t0_x, t0_y, ...: what the taxels read, as it came
@@ -38,8 +42,7 @@ public:
 
     [[nodiscard]] const equilibration::LoadCalibration& calibration() const { return m_calibration; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_calibration.loads; }
-    /// NAME and NAME_se of each load, then extrapolated, 0 or 1.
-    [[nodiscard]] std::vector<recording::Column> columns() const;
+    [[nodiscard]] std::vector<recording::Column> columns() const { return loadColumns(names()); }
 
     /// raw: layout.values() numbers as they came. tare: as many, or none. features: as featureColumns() has
     /// them. NaN: a signal of it is not defined in this frame.
@@ -57,7 +60,7 @@ private:
     Eigen::VectorXd m_values;
 };
 
-/// A frame of the stream of loads.
+/// As loadColumns() has them.
 [[nodiscard]] std::vector<double> loadValues(const equilibration::LoadCalibration::Loads& loads);
 
 /// The newest loads of an array, for views.

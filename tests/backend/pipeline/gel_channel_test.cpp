@@ -3,10 +3,13 @@
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/gel_channel.h"
 #include "backend/pipeline/recorded/recorded_gel.h"
+#include "backend/recording/csv_export.h"
 #include "backend/recording/event_words.h"
 #include "backend/recording/recorder.h"
+#include "backend/recording/recording.h"
 #include "backend/simulation/camera/gel/gel_field.h"
 #include "backend/simulation/camera/gel/gel_renderer.h"
+#include "tests/backend/core/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +17,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -234,6 +240,58 @@ TEST_F(LiveGel, aCalibrationGivesLoadsInNewtonsAndIsRecorded) {
     ASSERT_TRUE(gel->loads);
     EXPECT_EQ(gel->loads->calibration().channels, calibration.channels);
     EXPECT_EQ(gel->loads->calibration().gain, calibration.gain);
+}
+
+TEST_F(LiveGel, theLoadsOfItsContactsAreInTheExportedTable) {
+    // 2 N per mm of shear, beyond which nothing was pressed; the moment needs a slip index.
+    equilibration::LoadCalibration calibration{.loads = {"shear_x_n", "moment_nm"},
+                                               .channels = {"shear_proxy_x_m", "slip_index"}};
+    calibration.gain = Eigen::Matrix2d{{2000.0, 0.0}, {0.0, 1.0}};
+    calibration.error = Eigen::Matrix2d{{10.0, 0.0}, {0.0, 0.25}};
+    calibration.rest = Eigen::Vector2d::Zero();
+    calibration.least = Eigen::Vector2d::Zero();
+    calibration.greatest = Eigen::Vector2d(0.0001, 1.0);
+    calibration.scatter = Eigen::Vector2d(0.05, 0.01);
+    m_channel->stop();
+    m_loads.emplace(calibration);
+    open(gelFile());
+    test::TemporaryFolder folder;
+    const std::string path = folder.path("gel.teleta");
+    auto started = recording::Recorder::start(path, {});
+    ASSERT_TRUE(started) << core::describe(started.error());
+    const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+    m_channel->record(recorder, "finger");
+    show({}, kRest + 1);
+    show(kDragged, 2);
+    ASSERT_EQ(snapshot().contacts.size(), 1U);
+    const vision::GelContactState contact = snapshot().contacts[0];
+    m_channel->stop();
+    m_channel->record(nullptr, {});
+    ASSERT_TRUE(recorder->stop());
+
+    const auto recording = recording::Recording::open(path);
+    ASSERT_TRUE(recording) << core::describe(recording.error());
+    ASSERT_TRUE(recording::exportCsv(*recording, folder.path("csv")));
+    std::ifstream table(folder.path("csv/finger-contacts.csv"));
+    std::string heading;
+    ASSERT_TRUE(std::getline(table, heading));
+    EXPECT_EQ(heading, "time_s,contact_id,x_m,y_m,area_m2,normal_proxy_m2,shear_proxy_x_m,shear_proxy_y_m,"
+                       "torsion_rad,slip_index,shear_x_n,shear_x_n_se,moment_nm,moment_nm_se,extrapolated");
+    std::vector<std::string> cells;
+    for (std::string line; std::getline(table, line);) {
+        cells.clear();
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');)
+            cells.push_back(cell);
+    }
+    ASSERT_EQ(cells.size(), 15U);
+    const double shear_m = contact.shearProxy_m.x();
+    EXPECT_NEAR(std::stod(cells[10]), 2000.0 * shear_m, 1e-9);
+    EXPECT_NEAR(std::stod(cells[11]), std::hypot(0.05, 10.0 * shear_m), 1e-9);
+    ASSERT_TRUE(contact.slipIndex);
+    EXPECT_NEAR(std::stod(cells[12]), *contact.slipIndex, 1e-9);
+    EXPECT_NEAR(std::stod(cells[13]), std::hypot(0.01, 0.25 * *contact.slipIndex), 1e-9);
+    EXPECT_EQ(std::stod(cells[14]), 1.0) << "beyond the presses";
 }
 
 TEST_F(LiveGel, anArmReactsUntilStopTakesThePermissionAway) {
