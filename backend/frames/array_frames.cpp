@@ -410,6 +410,14 @@ core::Expected<void> checkTimes(std::span<const double> time_s, const std::strin
     return {};
 }
 
+std::vector<std::string> namesOfFrames(const ArrayFile& file) {
+    std::vector<std::string> names;
+    for (const ArrayHead& head : file.arrays())
+        if ((head.shape.size() == 2 || head.shape.size() == 3) && !isVector(head) && head.problem.empty())
+            names.push_back(head.name);
+    return names;
+}
+
 core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& request, const GoOn& goOn) {
     TELETA_TRY(const std::size_t array, choose(file, request));
     const ArrayHead head = file.arrays()[array];

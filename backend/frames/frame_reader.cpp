@@ -33,38 +33,39 @@ bool isPipe(const std::string& path) {
     return info.exists() && !info.isFile() && !info.isDir();
 }
 
-core::Expected<FrameSeries> framesOf(core::Expected<std::unique_ptr<ArrayFile>> file,
-                                     const FrameRequest& request, const GoOn& goOn) {
-    if (!file)
-        return core::Unexpected(std::move(file).error());
-    return framesOf(**file, request, goOn);
+/// Null: a file of this kind has no arrays.
+core::Expected<std::unique_ptr<ArrayFile>> openArrays(FileKind kind, const std::string& path) {
+    switch (kind) {
+    case FileKind::npy:
+        return openNpy(path);
+    case FileKind::zip:
+        return openNpz(path);
+    case FileKind::hdf5:
+        return openApart(path, openHdf5);
+    case FileKind::matlab:
+    case FileKind::matlab7:
+        return openApart(path, openMat);
+    default:
+        return std::unique_ptr<ArrayFile>();
+    }
 }
 
 /// All files but our own tables.
 core::Expected<FrameSeries> load(FileKind kind, const FrameRequest& request, const GoOn& goOn) {
-    switch (kind) {
-    case FileKind::text:
-        if (!isTekscan(request.path))
-            return readTable(request, goOn);
-        if (request.known)
-            return core::failed(core::ErrorKind::badInput,
-                                FrameReaderText::tr("the file says itself where its taxels are"),
-                                FrameReaderText::tr("no layout"), {request.path});
-        return readTekscan(request, goOn);
-    case FileKind::npy:
-        return framesOf(openNpy(request.path), request, goOn);
-    case FileKind::zip:
-        return framesOf(openNpz(request.path), request, goOn);
-    case FileKind::hdf5:
-        return framesOf(openApart(request.path, openHdf5), request, goOn);
-    case FileKind::matlab:
-    case FileKind::matlab7:
-        return framesOf(openApart(request.path, openMat), request, goOn);
-    default:
+    TELETA_TRY(const auto arrays, openArrays(kind, request.path));
+    if (arrays)
+        return framesOf(*arrays, request, goOn);
+    if (kind != FileKind::text)
         return core::failed(
             core::ErrorKind::badInput, FrameReaderText::tr("the file is %1").arg(describe(kind)),
             FrameReaderText::tr("frames as CSV, npy, npz, HDF5, MAT, or Tekscan ASCII"), {request.path});
-    }
+    if (!isTekscan(request.path))
+        return readTable(request, goOn);
+    if (request.known)
+        return core::failed(core::ErrorKind::badInput,
+                            FrameReaderText::tr("the file says itself where its taxels are"),
+                            FrameReaderText::tr("no layout"), {request.path});
+    return readTekscan(request, goOn);
 }
 
 core::Expected<FrameSeries> loadWithinMemory(FileKind kind, const FrameRequest& request, const GoOn& goOn) {
@@ -140,6 +141,16 @@ FrameRequest withArrayOf(FrameRequest request) {
 }
 
 } // namespace
+
+std::vector<std::string> arraysIn(const std::string& path) {
+    if (isPipe(path))
+        return {};
+    const auto kind = core::fileKind(path);
+    if (!kind)
+        return {};
+    const auto arrays = openArrays(*kind, path);
+    return arrays && *arrays ? namesOfFrames(**arrays) : std::vector<std::string>();
+}
 
 core::Expected<FrameReader> FrameReader::open(const FrameRequest& given, const GoOn& goOn) {
     const FrameRequest request = withArrayOf(given);

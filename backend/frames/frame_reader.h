@@ -64,6 +64,10 @@ private:
     Source m_source;
 };
 
+/// Arrays of a file that can be its frames, by their names for FrameRequest::array; empty: it has none, such
+/// as a table, or cannot be read. Reads no values. Thread: any.
+[[nodiscard]] std::vector<std::string> arraysIn(const std::string& path);
+
 /// All frames of a file. Error: as FrameReader::open() and next().
 [[nodiscard]] core::Expected<FrameSeries> readFrames(const FrameRequest& request, const GoOn& goOn = {});
 

@@ -55,4 +55,7 @@ using GoOn = std::function<bool()>;
 [[nodiscard]] core::Expected<FrameSeries> framesOf(ArrayFile& file, const FrameRequest& request,
                                                    const GoOn& goOn);
 
+/// The names of the arrays that can be read and have two or three dimensions, in the order of the file.
+[[nodiscard]] std::vector<std::string> namesOfFrames(const ArrayFile& file);
+
 } // namespace teleta::frames

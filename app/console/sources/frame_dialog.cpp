@@ -3,6 +3,8 @@
 
 #include "app/console/sources/frame_preview.h"
 #include "backend/core/data/array_layout.h"
+#include "backend/frames/frame_reader.h"
+#include "widgets/base/background.h"
 #include "widgets/base/compose.h"
 #include "widgets/base/theme.h"
 
@@ -15,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -44,7 +47,7 @@ QDoubleSpinBox* makeNumber(double value, double highest, int decimals, const QSt
 FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why, QWidget* parent)
     : QDialog(parent)
     , m_request(request)
-    , m_array(base::named<QLineEdit>("array"))
+    , m_array(base::named<QComboBox>("array"))
     , m_axis(new QComboBox)
     , m_rows(base::named<QSpinBox>("rows"))
     , m_columns(base::named<QSpinBox>("columns"))
@@ -62,8 +65,10 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     m_threshold->setObjectName(QStringLiteral("threshold"));
     m_threshold->setSpecialValueText(tr("0.2 N, or one count"));
     m_threshold->setToolTip(tr("Load from which a taxel is in contact, in the unit of the values"));
-    m_array->setText(QString::fromStdString(request.array));
-    m_array->setPlaceholderText(tr("the only one, or the one named frames"));
+    m_array->setEditable(true);
+    m_array->setInsertPolicy(QComboBox::NoInsert);
+    m_array->setEditText(QString::fromStdString(request.array));
+    m_array->lineEdit()->setPlaceholderText(tr("the only one, or the one named frames"));
     m_array->setMinimumWidth(base::em(this, 22));
     m_axis->addItems({tr("as the file says"), tr("the first"), tr("the last")});
     m_axis->setCurrentIndex(static_cast<int>(request.axis));
@@ -86,7 +91,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
         m_timeUnit->addItem(QLatin1String(unit));
     m_timeUnit->setCurrentIndex(std::max(0, m_timeUnit->findText(QString::fromStdString(request.timeUnit))));
 
-    auto* reason = new QLabel(why);
+    auto* reason = new QLabel(withoutOptions(why));
     reason->setObjectName(QStringLiteral("why"));
     reason->setWordWrap(true);
     reason->setVisible(!why.isEmpty());
@@ -117,7 +122,8 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     m_accept = buttons->button(QDialogButtonBox::Open);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    for (QLineEdit* text : {m_array, m_taxelColumns, m_timeColumn})
+    connect(m_array, &QComboBox::editTextChanged, this, &FrameDialog::check);
+    for (QLineEdit* text : {m_taxelColumns, m_timeColumn})
         connect(text, &QLineEdit::textChanged, this, &FrameDialog::check);
     for (QComboBox* box : {m_axis, m_timeUnit})
         connect(box, &QComboBox::currentIndexChanged, this, &FrameDialog::check);
@@ -133,6 +139,20 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     layout->addLayout(both, 1);
     layout->addWidget(buttons);
     check();
+    base::runInBackground(
+        this, [path = request.path] { return frames::arraysIn(path); },
+        [this](const std::vector<std::string>& names) { offerArrays(names); });
+}
+
+void FrameDialog::offerArrays(const std::vector<std::string>& names) {
+    const QString typed = m_array->currentText();
+    const QSignalBlocker quiet(m_array);
+    for (const std::string& name : names)
+        if (!name.empty())
+            m_array->addItem(QString::fromStdString(name));
+    // None is chosen: each of them can be the frames.
+    m_array->setCurrentIndex(-1);
+    m_array->setEditText(typed);
 }
 
 void FrameDialog::check() {
@@ -153,7 +173,7 @@ frames::FrameRequest FrameDialog::request() const {
         return box.value() > 0.0 ? std::optional(scale * box.value()) : std::nullopt;
     };
     frames::FrameRequest request = m_request;
-    request.array = m_array->text().trimmed().toStdString();
+    request.array = m_array->currentText().trimmed().toStdString();
     request.axis = static_cast<frames::FrameAxis>(m_axis->currentIndex());
     request.rows = side(*m_rows);
     request.columns = side(*m_columns);

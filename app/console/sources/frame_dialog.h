@@ -6,6 +6,9 @@
 #include <QDialog>
 #include <QString>
 
+#include <string>
+#include <vector>
+
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -31,9 +34,10 @@ public:
 
 private:
     void check();
+    void offerArrays(const std::vector<std::string>& names);
 
     frames::FrameRequest m_request;
-    QLineEdit* m_array;
+    QComboBox* m_array;
     QComboBox* m_axis;
     QSpinBox* m_rows;
     QSpinBox* m_columns;

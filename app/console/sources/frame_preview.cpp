@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QVBoxLayout>
 
@@ -29,10 +30,15 @@ constexpr std::chrono::milliseconds kWait{250};
 constexpr QSize kPicture_em(22, 11);
 
 QString numberText(double value) {
-    return QLocale().toString(value, 'g', 4);
+    return QLocale().toString(value, 'g', 4).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
 } // namespace
+
+QString withoutOptions(QString problem) {
+    static const QRegularExpression inBrackets(QStringLiteral(R"( \(--[^()]*\))"));
+    return problem.remove(inBrackets);
+}
 
 /// One frame, a square for each taxel.
 class FramePreview::Picture : public QWidget {
@@ -160,7 +166,7 @@ void FramePreview::showContent(Content content) {
     m_slider->setRange(0, std::max(0, frames - 1));
     m_slider->setVisible(frames > 1);
     const QString problem = QString::fromStdString(m_content.problem);
-    m_problem->setText(problem);
+    m_problem->setText(withoutOptions(problem));
     m_problem->setVisible(!problem.isEmpty() && problem != m_known);
     if (frames == 0) {
         m_about->setText(tr("No frame to show."));

@@ -20,6 +20,10 @@ class QSlider;
 
 namespace teleta::console {
 
+/// What is wrong with a file, without the options of the command line that stand in brackets: "the name of
+/// one (--array NAME)". Thread: any (pure).
+[[nodiscard]] QString withoutOptions(QString problem);
+
 /// The first frames of a file as a request reads them: a picture, a slider through them and what is in the
 /// file, or why it cannot be read so. Reads on another thread; a newer request ends an older reading.
 /// Thread: GUI.

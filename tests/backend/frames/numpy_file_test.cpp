@@ -213,6 +213,9 @@ TEST_F(NumpyFileTest, severalArraysAreListed) {
     const auto all = teleta::frames::readFrames(request);
     ASSERT_FALSE(all);
     EXPECT_NE(describe(all.error()).find("left (1 x 2 x 2), right (1 x 2 x 2)"), std::string::npos);
+    EXPECT_EQ(teleta::frames::arraysIn(path), (std::vector<std::string>{"left", "right"}));
+    EXPECT_TRUE(teleta::frames::arraysIn(m_folder.write("table.csv", "time_s,t0\n0,1\n")).empty());
+    EXPECT_TRUE(teleta::frames::arraysIn(m_folder.path("none.npz")).empty());
     request.array = "right";
     EXPECT_TRUE(teleta::frames::readFrames(request));
     request.array = "middle";

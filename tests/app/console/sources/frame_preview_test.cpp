@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/frame_dialog.h"
 #include "app/console/sources/frame_preview.h"
+#include "backend/frames/npz_writer.h"
 #include "widgets/base/colour_maps.h"
 
 #include <QComboBox>
@@ -15,7 +16,11 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 using namespace teleta;
 using console::FrameDialog;
@@ -84,6 +89,7 @@ private slots:
         m_preview->setRequest(untimed);
         QTRY_VERIFY_WITH_TIMEOUT(text("about").startsWith(QStringLiteral("2 frame")), kPatience_ms);
         QVERIFY(m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
+        QVERIFY2(!text("problem").contains(QStringLiteral("--")), "options are of the command line");
         untimed.rate_Hz = 100.0;
         m_preview->setRequest(untimed);
         QTRY_VERIFY_WITH_TIMEOUT(!m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible(),
@@ -102,6 +108,32 @@ private slots:
         dialog.findChild<QSpinBox*>(QStringLiteral("rows"))->setValue(3);
         QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("timeColumn")),
                          QStringLiteral("stamp_s"));
+        QTRY_VERIFY_WITH_TIMEOUT(about->text().startsWith(QStringLiteral("2 frame(s) of 3 \u00d7 2")),
+                                 kPatience_ms);
+    }
+
+    void theArraysOfAFileAreOfferedAndNoneIsGuessed() {
+        frames::FrameRequest open;
+        open.path = m_folder.filePath(QStringLiteral("two.npz")).toStdString();
+        const std::vector<float> values(12, 1.0F);
+        const std::vector<double> other(4, 1.0);
+        const std::array arrays{frames::NpzArray("left", {3, 2, 2}, std::span(values)),
+                                frames::NpzArray("right", {2, 3, 2}, std::span(values)),
+                                frames::NpzArray("weights", {4}, std::span(other))};
+        QVERIFY(frames::writeNpz(open.path, arrays));
+        FrameDialog dialog(open, QStringLiteral("two (expected the name of one (--array NAME))"));
+        dialog.show();
+        QCOMPARE(dialog.findChild<QLabel*>(QStringLiteral("why"))->text(),
+                 QStringLiteral("two (expected the name of one)"));
+        auto* array = dialog.findChild<QComboBox*>(QStringLiteral("array"));
+        QTRY_COMPARE_WITH_TIMEOUT(array->count(), 2, kPatience_ms);
+        QCOMPARE(array->currentText(), QString());
+        QCOMPARE(dialog.request().array, std::string());
+        array->setFocus();
+        QTest::keyClick(array, Qt::Key_Down);
+        QTest::keyClick(array, Qt::Key_Down);
+        QCOMPARE(dialog.request().array, std::string("right"));
+        auto* about = dialog.findChild<QLabel*>(QStringLiteral("about"));
         QTRY_VERIFY_WITH_TIMEOUT(about->text().startsWith(QStringLiteral("2 frame(s) of 3 \u00d7 2")),
                                  kPatience_ms);
     }
