@@ -207,6 +207,7 @@ std::optional<frames::FrameRequest> ConsoleSettings::frameRequest(const std::str
     request.timeColumn = value("time").toString().toStdString();
     request.timeUnit = value("time_unit").toString().toStdString();
     request.threshold = positive("threshold");
+    request.knownPath = value("layout").toString().toStdString();
     return request;
 }
 
@@ -224,6 +225,7 @@ void ConsoleSettings::setFrameRequest(const std::string& family, const frames::F
     set(group + QStringLiteral("time"), QString::fromStdString(request.timeColumn));
     set(group + QStringLiteral("time_unit"), QString::fromStdString(request.timeUnit));
     set(group + QStringLiteral("threshold"), request.threshold.value_or(0.0));
+    set(group + QStringLiteral("layout"), QString::fromStdString(request.knownPath));
 }
 
 QString ConsoleSettings::text(const QString& key, const QString& fallback) const {

@@ -6,6 +6,7 @@
 #include "backend/frames/frame_reader.h"
 #include "widgets/base/background.h"
 #include "widgets/base/compose.h"
+#include "widgets/base/file_dialog.h"
 #include "widgets/base/theme.h"
 
 #include <QComboBox>
@@ -48,6 +49,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     : QDialog(parent)
     , m_request(request)
     , m_array(base::named<QComboBox>("array"))
+    , m_layout(base::named<QLineEdit>("layout"))
     , m_axis(new QComboBox)
     , m_rows(base::named<QSpinBox>("rows"))
     , m_columns(base::named<QSpinBox>("columns"))
@@ -70,6 +72,11 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     m_array->setEditText(QString::fromStdString(request.array));
     m_array->lineEdit()->setPlaceholderText(tr("the only one, or the one named frames"));
     m_array->setMinimumWidth(base::em(this, 22));
+    m_layout->setText(QString::fromStdString(request.knownPath));
+    m_layout->setPlaceholderText(tr("only for taxels off a grid, or with three components"));
+    m_layout->setToolTip(
+        tr("The device file of the array, or a file with its table [layout]: it says where the "
+           "taxels are. Rows, columns and pitch are not needed then."));
     m_axis->addItems({tr("as the file says"), tr("the first"), tr("the last")});
     m_axis->setCurrentIndex(static_cast<int>(request.axis));
     for (QSpinBox* box : {m_rows, m_columns}) {
@@ -108,6 +115,12 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     file->setToolTip(QString::fromStdString(request.path));
     form->addRow(tr("File:"), file);
     form->addRow(tr("&Name of the frames:"), m_array);
+    auto* choose = new QPushButton(tr("Choose\u2026"));
+    choose->setAutoDefault(false);
+    auto* layoutRow = new QHBoxLayout;
+    layoutRow->addWidget(m_layout, 1);
+    layoutRow->addWidget(choose);
+    base::addFormRow(*form, tr("File of the &array:"), layoutRow, m_layout);
     form->addRow(tr("&Dimension that counts the frames:"), m_axis);
     base::addFormRow(*form, tr("&Shape:"), sizeRow, m_rows);
     form->addRow(tr("&Pitch:"), m_pitch_mm);
@@ -123,7 +136,8 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_array, &QComboBox::editTextChanged, this, &FrameDialog::check);
-    for (QLineEdit* text : {m_taxelColumns, m_timeColumn})
+    connect(choose, &QPushButton::clicked, this, &FrameDialog::chooseLayout);
+    for (QLineEdit* text : {m_layout, m_taxelColumns, m_timeColumn})
         connect(text, &QLineEdit::textChanged, this, &FrameDialog::check);
     for (QComboBox* box : {m_axis, m_timeUnit})
         connect(box, &QComboBox::currentIndexChanged, this, &FrameDialog::check);
@@ -144,6 +158,16 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
         [this](const std::vector<std::string>& names) { offerArrays(names); });
 }
 
+void FrameDialog::chooseLayout() {
+    const QString near =
+        m_layout->text().isEmpty() ? QString::fromStdString(m_request.path) : m_layout->text();
+    base::askToOpen(this,
+                    {.title = tr("File of the array"),
+                     .filters = {tr("Arrays (*.toml)")},
+                     .folder = QFileInfo(near).absolutePath()},
+                    [this](const QString& path) { m_layout->setText(path); });
+}
+
 void FrameDialog::offerArrays(const std::vector<std::string>& names) {
     const QString typed = m_array->currentText();
     const QSignalBlocker quiet(m_array);
@@ -161,6 +185,10 @@ void FrameDialog::check() {
     m_verdict->setText(fits ? QString() : tr("Columns are numbers and ranges, such as 2..85 or 2..10,12."));
     base::setTextColour(m_verdict, base::statusColours(palette()).lost);
     m_accept->setEnabled(fits);
+    const bool isKnown = !m_layout->text().trimmed().isEmpty();
+    for (QWidget* field :
+         {static_cast<QWidget*>(m_rows), static_cast<QWidget*>(m_columns), static_cast<QWidget*>(m_pitch_mm)})
+        field->setEnabled(!isKnown);
     if (fits)
         m_preview->setRequest(request());
 }
@@ -175,9 +203,11 @@ frames::FrameRequest FrameDialog::request() const {
     frames::FrameRequest request = m_request;
     request.array = m_array->currentText().trimmed().toStdString();
     request.axis = static_cast<frames::FrameAxis>(m_axis->currentIndex());
-    request.rows = side(*m_rows);
-    request.columns = side(*m_columns);
-    request.pitch_m = number(*m_pitch_mm, 1e-3);
+    request.knownPath = m_layout->text().trimmed().toStdString();
+    const bool isKnown = !request.knownPath.empty();
+    request.rows = isKnown ? std::nullopt : side(*m_rows);
+    request.columns = isKnown ? std::nullopt : side(*m_columns);
+    request.pitch_m = isKnown ? std::nullopt : number(*m_pitch_mm, 1e-3);
     request.rate_Hz = number(*m_rate_Hz, 1.0);
     request.threshold = number(*m_threshold, 1.0);
     request.taxelColumns = frames::columnRangesOf(m_taxelColumns->text().trimmed().toStdString())

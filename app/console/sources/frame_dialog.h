@@ -34,10 +34,12 @@ public:
 
 private:
     void check();
+    void chooseLayout();
     void offerArrays(const std::vector<std::string>& names);
 
     frames::FrameRequest m_request;
     QComboBox* m_array;
+    QLineEdit* m_layout;
     QComboBox* m_axis;
     QSpinBox* m_rows;
     QSpinBox* m_columns;

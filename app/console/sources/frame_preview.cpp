@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/frame_preview.h"
 
+#include "app/console/sources/known_array.h"
 #include "backend/frames/frame_reader.h"
 #include "widgets/base/background.h"
 #include "widgets/base/colour_maps.h"
@@ -111,6 +112,12 @@ void FramePreview::setRequest(const frames::FrameRequest& request) {
 FramePreview::Content FramePreview::contentOf(frames::FrameRequest request, const std::atomic<bool>& ended) {
     const auto goOn = [&] { return !ended.load(); };
     Content content;
+    auto known = withKnownArray(std::move(request));
+    if (!known) {
+        content.problem = core::describe(known.error());
+        return content;
+    }
+    request = *std::move(known);
     auto reader = frames::FrameReader::open(request, goOn);
     if (!reader) {
         core::Error problem = reader.error();
@@ -122,9 +129,10 @@ FramePreview::Content FramePreview::contentOf(frames::FrameRequest request, cons
         if (!reader)
             return content;
     }
-    content.layout = reader->layout();
+    const core::TaxelLayout& taxels = reader->taxels();
+    content.layout = taxels.grid();
     content.unit = reader->unit();
-    std::vector<float> frame(content.layout.taxels());
+    std::vector<float> frame(taxels.values());
     double time_s = 0.0;
     while (goOn()) {
         const auto isThere = reader->next(time_s, frame);
@@ -137,7 +145,11 @@ FramePreview::Content FramePreview::contentOf(frames::FrameRequest request, cons
             break;
         }
         content.time_s.push_back(time_s);
-        content.values.insert(content.values.end(), frame.begin(), frame.end());
+        if (!taxels.isVector())
+            content.values.insert(content.values.end(), frame.begin(), frame.end());
+        // What presses has a negative z.
+        for (std::size_t z = 2; taxels.isVector() && z < frame.size(); z += core::TaxelLayout::kVector)
+            content.values.push_back(-frame[z]);
     }
     for (const float value : content.values)
         if (std::isfinite(value)) {

@@ -45,7 +45,7 @@ private:
         core::ArrayLayout layout{};
         std::string unit{};
         std::vector<double> time_s{};
-        std::vector<float> values{}; ///< frame by frame, row-major; NaN: dead or no taxel
+        std::vector<float> values{}; ///< loads, frame by frame, row-major; NaN: dead or no taxel
         float lowest = std::numeric_limits<float>::quiet_NaN();
         float highest = std::numeric_limits<float>::quiet_NaN();
         bool isAll = true;     ///< the file has no more frames

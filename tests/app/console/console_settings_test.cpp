@@ -97,6 +97,7 @@ private slots:
         request.taxelColumns = {{2, 10}, {12, 12}};
         request.timeColumn = "stamp";
         request.timeUnit = "ms";
+        request.knownPath = "/somewhere/skin.toml";
         { ConsoleSettings(false).setFrameRequest("family", request); }
         const ConsoleSettings settings(false);
         const auto known = settings.frameRequest("family");
@@ -108,6 +109,7 @@ private slots:
         QCOMPARE(teleta::frames::textOf(known->taxelColumns), std::string("2..10,12"));
         QCOMPARE(known->timeColumn, std::string("stamp"));
         QCOMPARE(known->timeUnit, std::string("ms"));
+        QCOMPARE(known->knownPath, std::string("/somewhere/skin.toml"));
         QVERIFY(!settings.frameRequest("another"));
         QVERIFY(!settings.frameRequest(""));
     }

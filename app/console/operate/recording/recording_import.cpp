@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/recording/recording_import.h"
 
+#include "app/console/sources/known_array.h"
 #include "app/sources/recording_request.h"
 #include "backend/core/failure.h"
 #include "backend/frames/recorded/frame_import.h"
@@ -88,6 +89,7 @@ RecordingImport::Result RecordingImport::make(const QString& file, const QString
 
 RecordingImport::Result RecordingImport::makeOfFrames(const QString& recording, frames::FrameRequest request,
                                                       WorkProgress& progress) {
+    TELETA_TRY(request, withKnownArray(std::move(request)));
     request.guessesShape = true;
     TELETA_TRY(auto reader, frames::FrameReader::open(request, [&progress] { return !progress.cancelled; }));
     const std::optional<double> threshold =

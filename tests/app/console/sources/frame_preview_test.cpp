@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/sources/frame_dialog.h"
 #include "app/console/sources/frame_preview.h"
+#include "app/console/sources/known_array.h"
 #include "backend/frames/npz_writer.h"
 #include "widgets/base/colour_maps.h"
 
@@ -110,6 +111,37 @@ private slots:
                          QStringLiteral("stamp_s"));
         QTRY_VERIFY_WITH_TIMEOUT(about->text().startsWith(QStringLiteral("2 frame(s) of 3 \u00d7 2")),
                                  kPatience_ms);
+    }
+
+    /// Frames x taxels x 3, which a file of the array explains; off a grid.
+    void aFileOfTheArrayExplainsVectors() {
+        frames::FrameRequest open;
+        open.path = m_folder.filePath(QStringLiteral("vectors.npz")).toStdString();
+        open.rate_Hz = 100.0;
+        const std::vector<float> values{1, 2, -3, 4, 5, -6, 7, 8, -9, 0, 0, 0, 0, 0, 0, 0, 0, -12};
+        const std::array arrays{frames::NpzArray("field", {2, 3, 3}, std::span(values))};
+        QVERIFY(frames::writeNpz(open.path, arrays));
+        QFile skin(m_folder.filePath(QStringLiteral("skin.toml")));
+        QVERIFY(skin.open(QIODevice::WriteOnly));
+        skin.write("threshold = 2.0\n[layout]\nunit = 'uT'\ncomponents = 3\n"
+                   "positions_mm = [[0, 0], [7, 1], [2, 9]]\n");
+        skin.close();
+        FrameDialog dialog(open, QStringLiteral("why"));
+        dialog.show();
+        auto* about = dialog.findChild<QLabel*>(QStringLiteral("about"));
+        QTRY_COMPARE_WITH_TIMEOUT(about->text(), QStringLiteral("No frame to show."), kPatience_ms);
+        dialog.findChild<QLineEdit*>(QStringLiteral("layout"))->setText(skin.fileName());
+        QTRY_COMPARE_WITH_TIMEOUT(about->text(),
+                                  QStringLiteral("2 frame(s) of 1 \u00d7 3 taxels, 0 uT to 12 uT")
+                                      .replace(QStringLiteral(" uT"), QStringLiteral("\u00a0uT")),
+                                  kPatience_ms);
+        QVERIFY(!dialog.findChild<QSpinBox*>(QStringLiteral("rows"))->isEnabled());
+        QCOMPARE(dialog.request().knownPath, skin.fileName().toStdString());
+        const auto known = console::withKnownArray(dialog.request());
+        QVERIFY(known && known->known);
+        QVERIFY(known->threshold == 2.0);
+        dialog.findChild<QLineEdit*>(QStringLiteral("layout"))->setText(QStringLiteral("/none.toml"));
+        QTRY_COMPARE_WITH_TIMEOUT(about->text(), QStringLiteral("No frame to show."), kPatience_ms);
     }
 
     void theArraysOfAFileAreOfferedAndNoneIsGuessed() {
