@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time of a frame of the 3-D view with OpenGL, from new joints to the last pixel: an arm with a skin in
 // motion, with the trail of its tip, the dial of a joint near its limit, and the force that the joints tell,
-// against the same without these. Run it under Xvfb with LIBGL_ALWAYS_SOFTWARE=1.
+// against the same without these; longest_ms is the slowest frame. Run it under Xvfb with
+// LIBGL_ALWAYS_SOFTWARE=1.
+#include "backend/core/steady_time.h"
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/scene3d_view.h"
@@ -13,6 +15,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -72,11 +75,15 @@ void frames(benchmark::State& state, const QStringList& hidden) {
     window->SetMultiSamples(0);
     window->setQuality(view3d::FrameQuality::Level::plain);
     window->renderGuarded();
+    double longest_ms = 0.0;
     for (auto _ : state) {
+        const auto begun_ns = core::steadyNow_ns();
         step(view, ++frame);
         window->renderGuarded();
         window->WaitForCompletion();
+        longest_ms = std::max(longest_ms, 1e-6 * static_cast<double>(core::steadyNow_ns() - begun_ns));
     }
+    state.counters["longest_ms"] = longest_ms;
 }
 
 void withMarks(benchmark::State& state) {

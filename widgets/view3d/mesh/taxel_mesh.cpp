@@ -57,7 +57,8 @@ void TaxelMesh::borderOn(vtkActor& actor) {
     texture->SetInputData(picture);
     texture->InterpolateOn();
     texture->MipmapOn();
-    texture->SetMaximumAnisotropicFiltering(4.0F);
+    // A software driver would read it up to a second long for a side of a cell that is almost without height.
+    texture->SetMaximumAnisotropicFiltering(1.0F);
     texture->SetWrap(vtkTexture::ClampToEdge);
     actor.SetTexture(texture);
 }
