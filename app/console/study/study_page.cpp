@@ -255,14 +255,7 @@ void StudyPage::connectViews() {
         m_messages->post({chrome::Message::Severity::information, tr("Written: %1").arg(folder), {}, {}});
     });
     connect(&m_controller, &StudyController::opened, this, [this] {
-        if (m_controller.overview()->isReadOnly)
-            m_messages->post({chrome::Message::Severity::information,
-                              tr("This study is read-only: nothing can be written here."),
-                              tr("Copy its whole folder to continue the study."), QString()});
-        else if (m_controller.foundInterrupted())
-            m_messages->post({chrome::Message::Severity::warning,
-                              tr("A session of this study was interrupted."),
-                              tr("No answer is lost. Resume it, or choose another one."), QString()});
+        tellWhatWasOpened();
         m_session->takeKeyboard();
         if (std::exchange(m_rehearseWhenOpened, false))
             m_controller.startRehearsal();

@@ -93,6 +93,7 @@ private:
     void askForProtocol();
     void analyse();
     void report(const QString& what, const core::Error& error);
+    void tellWhatWasOpened();
 
     StudyController m_controller;
     NoisePlayer m_noise;

@@ -20,6 +20,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -251,6 +252,10 @@ private slots:
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QCOMPARE(runner().hold(), Hold::none);
         QVERIFY(core::isOff(bracelet().drive()));
+        // A person stopped it, so no device is said to have failed.
+        QVERIFY(!sessionPanel().scene().outcomes.empty());
+        QCOMPARE(sessionPanel().scene().outcomes.front().outcome,
+                 QStringLiteral("interrupted, will be repeated"));
         doTrial();
     }
 
@@ -318,6 +323,17 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
         QVERIFY(controller().foundInterrupted());
         QCOMPARE(m_page->messages().count(), 1);
+        // The notice leads back to it from wherever one has gone meanwhile.
+        const auto interrupted = controller().chosen();
+        controller().choose(0, 1);
+        m_page->bringForward(QStringLiteral("results"));
+        const auto buttons = m_page->messages().findChildren<QToolButton*>();
+        const auto show = std::ranges::find(buttons, QStringLiteral("Show it"), &QToolButton::text);
+        QVERIFY(show != buttons.end());
+        QTRY_VERIFY_WITH_TIMEOUT(!controller().isBusy() && (*show)->isVisible(), kPatience_ms);
+        QTest::mouseClick(*show, Qt::LeftButton);
+        QCOMPARE(controller().chosen(), interrupted);
+        QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isVisible(), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(nextButton()->text().contains(QStringLiteral("Resume")), kPatience_ms);
         beginSession();
         QCOMPARE(session().remainingTrials(), std::size_t(3));

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/study/study_page.h"
+#include "widgets/chrome/message_bar.h"
+#include "widgets/study/session_panel.h"
+
+namespace teleta::console {
+
+void StudyPage::tellWhatWasOpened() {
+    if (m_controller.overview()->isReadOnly) {
+        m_messages->post({chrome::Message::Severity::information,
+                          tr("This study is read-only: nothing can be written here."),
+                          tr("Copy its whole folder to continue the study."), QString()});
+    } else if (m_controller.foundInterrupted()) {
+        const auto show = [this, folder = m_controller.overview()->location.folder,
+                           interrupted = m_controller.chosen()] {
+            if (!interrupted || !m_controller.overview() ||
+                m_controller.overview()->location.folder != folder)
+                return; // another study is open by now
+            m_controller.choose(interrupted->first, interrupted->second);
+            bringForward(QStringLiteral("session"));
+            m_session->takeKeyboard();
+        };
+        m_messages->post({chrome::Message::Severity::warning,
+                          tr("A session of this study was interrupted."),
+                          tr("No answer is lost. Resume it, or choose another one."),
+                          QString(),
+                          {{tr("Show it"), show}}});
+    }
+}
+
+} // namespace teleta::console
