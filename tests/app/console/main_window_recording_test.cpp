@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/main_window.h"
+#include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_controls.h"
+#include "backend/pipeline/arm_channel.h"
 #include "backend/recording/recording.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/playback_bar.h"
+#include "widgets/touch/run_sheet.h"
+#include "widgets/touch/touch_table.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
@@ -27,7 +32,7 @@ constexpr int kPatience_ms = 60'000;
 
 } // namespace
 
-/// The recording that the command line asks for.
+/// A recording that the command line asks for, and one that is played.
 class MainWindowRecordingTest : public QObject {
     Q_OBJECT
 
@@ -35,6 +40,13 @@ class MainWindowRecordingTest : public QObject {
     std::unique_ptr<core::StopSwitch> m_stop;
     std::unique_ptr<ConsoleSettings> m_settings;
     std::unique_ptr<MainWindow> m_window;
+
+    void openWindow(const ConsoleOptions& options) {
+        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->openRequested(options);
+    }
 
 private slots:
     void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
@@ -71,10 +83,7 @@ private slots:
             QVERIFY(list.write("[[source]]\nscene = \":/scenes/tactile-indenter.toml\"\n") > 0);
             options.sourceList = list.fileName();
         }
-        m_window = std::make_unique<MainWindow>(options, *m_settings, *m_stop);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->openRequested(options);
+        openWindow(options);
         RecordingService& station = m_window->recorder();
         QTRY_VERIFY_WITH_TIMEOUT(station.status().frames >= 200, kPatience_ms);
         QCOMPARE(station.path(), options.record);
@@ -93,6 +102,54 @@ private slots:
         QVERIFY(std::ranges::any_of(recording->streams(), [](const recording::StreamInfo& stream) {
             return stream.name == "tactile-indenter-frames";
         }));
+    }
+
+    /// A touch that is played again is the same touch.
+    void playingAgainMultipliesNoTouches() {
+        ConsoleOptions options;
+        options.scenes << QStringLiteral("teleta-touch");
+        options.record = m_folder->filePath("touch.teleta");
+        openWindow(options);
+        auto& touches = *m_window->operatePage().findChild<touch::TouchTable*>();
+        auto& sheet = m_window->operatePage().findChild<touch::RunSheet*>()->model();
+        QTRY_VERIFY_WITH_TIMEOUT(touches.touches() > 0 && sheet.rowCount() > 0, kPatience_ms);
+        m_window->recording().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->recorder().state(), RecordingService::State::idle, kPatience_ms);
+        m_window->sources().closeAll();
+        ConsoleOptions again;
+        again.files << options.record;
+        m_window->openRequested(again);
+        const auto playsAnArm = [this] {
+            const auto* item = m_window->sources().active();
+            return item != nullptr && item->displayed > 0 && item->arm() != nullptr;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(playsAnArm(), kPatience_ms);
+        auto* playback = m_window->sources().active()->playback();
+        auto* bar = m_window->findChild<chrome::PlaybackBar*>();
+        playback->setSpeed(4.0);
+        playback->play();
+        const auto isAtItsEnd = [&] {
+            return playback->position().time_s == playback->position().duration_s;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isAtItsEnd() && touches.touches() > 0 && sheet.rowCount() > 0, kPatience_ms);
+        const int played = touches.touches();
+        const int objects = sheet.rowCount();
+        const std::size_t onFirst = sheet.object(0).touches;
+        const auto timeIn = [](const QAbstractItemModel& model, int row, int column) {
+            return model.index(row, column).data().toString();
+        };
+        QCOMPARE(timeIn(sheet, 0, touch::RunSheetModel::time),
+                 timeIn(*touches.view()->model(), played - 1, touch::TouchModel::time));
+        for (int round = 0; round < 3; ++round) {
+            QTest::keyClick(bar, Qt::Key_Home);
+            QTRY_VERIFY_WITH_TIMEOUT(playback->position().time_s < 1.0, kPatience_ms);
+            if (playback->position().paused)
+                QTest::keyClick(bar, Qt::Key_Space);
+            QTRY_VERIFY_WITH_TIMEOUT(isAtItsEnd() && touches.touches() > 0, kPatience_ms);
+            QTRY_COMPARE_WITH_TIMEOUT(sheet.rowCount(), objects, kPatience_ms);
+            QCOMPARE(touches.touches(), played);
+            QCOMPARE(sheet.object(0).touches, onFirst);
+        }
     }
 };
 
