@@ -264,11 +264,11 @@ void GainsView::retranslate() {
     name("undo", tr("Undo"), tr("Undo the last change (Ctrl+Z)"));
     name("redo", tr("Redo"), tr("Redo the change undone last"));
     name("load", tr("&Load\u2026"), tr("Load gains for an array of this size from a file (CSV)"));
-    name("reset", tr("&Reset"), tr("Use no gains and forget all presses"));
+    name("reset", tr("Rese&t"), tr("Use no gains and forget all presses"));
     name("save", tr("&Save\u2026"),
          tr("Save the gains to a file (CSV) for \u201cOpen recording\u201d, source lists and the command "
             "line"));
-    name("tare", tr("&Tare now"),
+    name("tare", tr("Tare &now"),
          tr("Takes the mean of the next half second as the unloaded state. Nothing may touch the array."));
     name("collect", tr("&Collect a press"), tr("Wait for a load and collect its frames; stops by itself"));
     name("end", tr("&End"), tr("Use what has been collected"));

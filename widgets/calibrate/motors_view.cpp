@@ -376,7 +376,7 @@ void MotorsView::retranslate() {
     name("redo", tr("Redo"), tr("Redo the change undone last"));
     name("load", tr("&Load\u2026"), tr("Load a profile of this bracelet from a file"));
     name("copy", tr("Save a &copy\u2026"), tr("Save the profile to another file"));
-    name("reset", tr("&Reset"), tr("Discard the measurements"));
+    name("reset", tr("Rese&t"), tr("Discard the measurements"));
     name("save", tr("&Save"),
          tr("Save the profile for this bracelet: it is used whenever the bracelet is connected"));
     const std::array<QString, 4> groups{tr("With its sensor"), tr("By feel"), tr("By the curves"),
@@ -384,15 +384,15 @@ void MotorsView::retranslate() {
     for (std::size_t i = 0; i < groups.size(); ++i)
         m_groups[i]->setText(groups[i]);
     name("measure", tr("&Measure this motor"), QString());
-    name("measureAll", tr("Measure &all six"), tr("One after another, with the bracelet's sensor"));
+    name("measureAll", tr("Measure all si&x"), tr("One after another, with the bracelet's sensor"));
     name("recording", tr("&Open a recording\u2026"),
          tr("CSV with time_s, commanded, and speed_hz (tachometer) or signal (accelerometer, microphone)"));
     name("excitation", tr("Save the &excitation\u2026"),
          tr("Save the drive signal of a measurement as CSV, to record with a sensor of your own"));
-    name("feel", tr("Find the start by &feel"),
+    name("feel", tr("Fi&nd the start by feel"),
          tr("Plays weaker and stronger bursts; you say what you felt"));
-    name("balance", tr("&Balance by feel"), tr("Compare the strength of each motor with that of motor 1"));
-    name("curves", tr("Balance by the cur&ves"),
+    name("balance", tr("Balance b&y feel"), tr("Compare the strength of each motor with that of motor 1"));
+    name("curves", tr("Balance by the c&urves"),
          tr("Limit all measured motors to the top speed of the slowest"));
     name("cancel", tr("Stop measuring"), QString());
     setAccessibleName(tr("Calibration of the bracelet's motors"));

@@ -181,7 +181,7 @@ void CameraPanel::showTexts() {
 }
 
 void CameraPanel::retranslate() {
-    m_rungName->setText(tr("&Finder"));
+    m_rungName->setText(tr("F&inder"));
     m_rungs->setAccessibleName(tr("Finder"));
     m_rungs->setToolTip(tr("How contacts are found: from the printed dots alone, or with dense flow by one "
                            "of OpenCV's presets; the number is how many times the image is reduced"));
@@ -195,7 +195,7 @@ void CameraPanel::retranslate() {
     m_rungs->setWhatsThis(QStringLiteral("<p>%1</p>").arg(m_rungs->toolTip()) + all);
     m_arrows->setText(tr("&Displacement"));
     m_arrows->setToolTip(tr("Show how far the pattern on the skin has moved"));
-    m_reference->setText(tr("New &reference"));
+    m_reference->setText(tr("&New reference"));
     m_reference->setToolTip(tr("Take the next picture as the reference: nothing may touch the tube"));
     m_pause->setText(m_pause->isChecked() ? tr("Resume") : tr("Pause"));
     m_pause->setToolTip(tr("Freeze the picture; contacts are still tracked (Space)"));

@@ -92,7 +92,7 @@ void LawList::check() {
 void LawList::showFindings() {
     setAccessibleName(tr("Laws of the display"));
     m_list->setAccessibleName(tr("Warnings"));
-    m_fix->setText(tr("&Fix"));
+    m_fix->setText(tr("F&ix"));
     if (!isChecked()) {
         keepKeyboard();
         m_list->setEnabled(false);

@@ -324,7 +324,7 @@ void ServoPanel::retranslate() {
     m_tasksName->setText(task);
     m_tasks->setToolTip(tr("The running task; choose one to start it now"));
     m_tasks->setAccessibleName(QString(task).remove(QLatin1Char('&')));
-    label(m_force, tr("&Force"), tr("Force with which the array presses"));
+    label(m_force, tr("F&orce"), tr("Force with which the array presses"));
     label(m_slide, tr("&Sliding speed"), tr("Along the edge, while it is explored"));
     label(m_gain, tr("&Gains"), tr("All controller gains, in percent of those in the scene"));
     m_moment->setText(tr("Balance the &moment (DZMP)"));

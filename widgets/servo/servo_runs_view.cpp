@@ -72,9 +72,9 @@ ServoRunsView::ServoRunsView(QWidget* parent)
 }
 
 void ServoRunsView::retranslate() {
-    m_add->setText(tr("&Add recorded run…"));
+    m_add->setText(tr("A&dd recorded run…"));
     m_add->setToolTip(tr("A run written by teleta simulate --out: its servo.csv"));
-    m_forget->setText(tr("&Forget other runs"));
+    m_forget->setText(tr("Forget &other runs"));
     m_forget->setToolTip(tr("Keeps only the current run"));
     m_menu->setText(tr("&Picture"));
     m_menu->setToolTip(tr("Copies or saves the chart or its data"));

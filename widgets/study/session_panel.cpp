@@ -308,7 +308,7 @@ void SessionPanel::retranslate() {
     m_skip->setToolTip(tr("Continues without the participant's answers"));
     m_pause->setText(tr("&Pause"));
     m_pause->setToolTip(tr("Pauses after the current trial"));
-    m_abort->setText(tr("&Abort\u2026"));
+    m_abort->setText(tr("Ab&ort\u2026"));
     refresh();
 }
 

@@ -210,10 +210,10 @@ void ChannelSettingsPanel::retranslate() {
     m_clearTare->setText(tr("&Clear tare"));
     m_clearTare->setToolTip(tr("Uses the raw values again"));
     describe(m_gain, tr("&Gain:"), tr("Load per raw unit"));
-    m_inverted->setText(tr("Values &fall under load"));
+    m_inverted->setText(tr("Values fall under load"));
     m_inverted->setToolTip(tr("For arrays whose raw values are highest when nothing touches them"));
-    describe(m_threshold, tr("T&hreshold:"), tr("A taxel is in contact from this load on"));
-    m_automatic->setText(tr("&Automatic threshold"));
+    describe(m_threshold, tr("Thresho&ld:"), tr("A taxel is in contact from this load on"));
+    m_automatic->setText(tr("A&utomatic threshold"));
     m_automatic->setToolTip(
         tr("Finds the lowest useful threshold in each frame; the value above is its lower bound"));
     describe(m_noiseHeight, tr("&Noise height:"),
@@ -223,7 +223,7 @@ void ChannelSettingsPanel::retranslate() {
     describe(m_orientation, tr("&Orientation:"), tr("Which taxels the principal axis is computed from"));
     m_orientation->setItemText(0, tr("active taxels equally"));
     m_orientation->setItemText(1, tr("weighted by load"));
-    describe(m_range, tr("&Force over:"),
+    describe(m_range, tr("Force over:"),
              tr("Whole image: adds up every load. Active taxels: leaves out the noise of unloaded taxels"));
     m_range->setItemText(0, tr("whole image"));
     m_range->setItemText(1, tr("active taxels"));

@@ -141,7 +141,7 @@ void PatternMapTable::retranslate() {
     m_table->setAccessibleName(tr("Patterns for what was recognised"));
     m_table->setHorizontalHeaderLabels({tr("Recognised"), tr("Pattern"), tr("Kind")});
     m_undoButton->setText(tr("&Undo"));
-    m_redoButton->setText(tr("&Redo"));
+    m_redoButton->setText(tr("Red&o"));
     m_reset->setText(tr("&Defaults"));
     m_reset->setToolTip(tr("The built-in dynamic patterns again; can be undone"));
     m_import->setText(tr("&Import…"));

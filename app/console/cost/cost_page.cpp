@@ -469,7 +469,7 @@ void CostPage::retranslate() {
     m_ladderHeading->setText(tr("Jobs"));
     m_list->setAccessibleName(tr("Jobs that can be done fast or accurately"));
     m_measure->setText(tr("&Measure again"));
-    m_measureAll->setText(tr("Measure &all jobs"));
+    m_measureAll->setText(tr("Measure all &jobs"));
     m_measureAll->setToolTip(tr("Takes a few minutes; you can go on using the console"));
     m_cancel->setText(tr("&Cancel"));
     m_measureEmpty->setText(tr("Measure this job"));
@@ -480,7 +480,7 @@ void CostPage::retranslate() {
     m_rungLabel->setText(tr("&Setting in use"));
     m_rungs->setAccessibleName(tr("Setting that finds the contacts"));
     m_stagesLabel->setText(tr("Time of a frame, now"));
-    m_budgetLabel->setText(tr("Time &budget of a frame"));
+    m_budgetLabel->setText(tr("&Time budget of a frame"));
     m_budget_ms->setSuffix(tr(" ms a frame"));
     m_useBest->setText(tr("&Use the best setting within it"));
     m_noCamera->setText(tr("No camera is shown on the page Operate."));

@@ -279,7 +279,7 @@ void SweepPanel::retranslate() {
     m_heading->setText(tr("Sweeps"));
     m_list->setAccessibleName(tr("Sweeps that come with the program"));
     m_open->setText(tr("&Open a sweep\u2026"));
-    m_openResults->setText(tr("Open &results\u2026"));
+    m_openResults->setText(tr("Open resu&lts\u2026"));
     m_start->setText(tr("&Start\u2026"));
     m_startEmpty->setText(tr("Start the sweep\u2026"));
     m_cancel->setText(tr("&Cancel"));

@@ -217,7 +217,7 @@ void PlotPage::connectViews() {
 }
 
 void PlotPage::retranslate() {
-    m_addRecording->setText(tr("&Add a recording\u2026"));
+    m_addRecording->setText(tr("A&dd a recording\u2026"));
     m_addRecording->setToolTip(tr("Plot a recording as a whole, without playing it"));
     m_progress->setFormat(tr("Reading: %p %"));
     m_cancelReading->setText(tr("Cancel"));

@@ -124,7 +124,7 @@ void StartPage::retranslate() {
     setTexts(tr("No source"), tr("Open a demo scene to look around, a recording, or a list of sources."));
     setAction("firstSteps", tr("First &steps"), tr("The page of the handbook to begin with (F1)"));
     setAction("openDemo", tr("Open &demo scene"), tr("A simulated arm that touches five materials"));
-    setAction("openRecording", tr("Open &recording\u2026"),
+    setAction("openRecording", tr("&Open recording\u2026"),
               tr("A recording of this program or as MCAP, or recorded frames of an array: CSV, "
                  "NumPy, HDF5, MATLAB, Tekscan"));
     setAction("openList", tr("Open source &list\u2026"), tr("A TOML file that lists scenes and recordings"));

@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMenuBar>
 #include <QRegularExpression>
 #include <QSet>
 #include <QSpinBox>
@@ -284,6 +285,54 @@ private slots:
         seeAllPages();
         const auto french = [this] { return texts(m_french, m_english); };
         QTRY_VERIFY2_WITH_TIMEOUT(french().isEmpty(), qPrintable('\n' + french().join('\n')), kPatience_ms);
+    }
+
+    void noFieldOfAPageHasTheLetterOfAMenu_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("scene");
+        for (const QString& language : {QStringLiteral("English"), QStringLiteral("Fran\u00e7ais")})
+            for (const QString& scene : {QStringLiteral("teleoperation"), QStringLiteral("servo-bent-bar"),
+                                         QStringLiteral("vtacarm-multicontact")})
+                QTest::newRow(qPrintable(language + QStringLiteral(", ") + scene)) << language << scene;
+    }
+    void noFieldOfAPageHasTheLetterOfAMenu() {
+        QFETCH(QString, language);
+        QFETCH(QString, scene);
+        ConsoleOptions options;
+        options.dataFolder = m_folder.filePath(QString::fromLatin1(QTest::currentDataTag()));
+        options.scenes = {scene};
+        openWindow(options);
+        choose(language);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->sources().active() != nullptr, kPatience_ms);
+        seeAllPages();
+        QHash<QKeySequence, QString> menus;
+        for (const QAction* menu : m_window->menuBar()->actions())
+            menus.insert(QKeySequence::mnemonic(menu->text()), menu->text());
+        QVERIFY(menus.size() > 4);
+        int letters = 0;
+        QStringList taken;
+        const auto look = [&](const QString& text) {
+            const QKeySequence letter = QKeySequence::mnemonic(text);
+            letters += letter.isEmpty() ? 0 : 1;
+            if (menus.contains(letter))
+                taken << text + QStringLiteral(" as ") + menus.value(letter); // a long message is cut
+        };
+        for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
+            if (widget->window() != m_window.get())
+                continue; // in a dialog Alt and a letter are its own
+            if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+                look(button->text());
+            if (const auto* label = qobject_cast<const QLabel*>(widget); label != nullptr && label->buddy())
+                look(label->text());
+            if (const auto* box = qobject_cast<const QGroupBox*>(widget))
+                look(box->title());
+            if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
+                for (int tab = 0; tab < tabs->count(); ++tab)
+                    look(tabs->tabText(tab));
+        }
+        QVERIFY(letters > 5);
+        taken.removeDuplicates();
+        QVERIFY2(taken.isEmpty(), qPrintable(taken.join(QStringLiteral("; "))));
     }
 };
 

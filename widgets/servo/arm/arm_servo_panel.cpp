@@ -175,7 +175,7 @@ void ArmServoPanel::retranslate() {
            "Space.</p>"));
     m_title->setText(tr("Servo task"));
     static_cast<QLabel*>(m_form->labelForField(m_task))->setText(tr("&Task"));
-    static_cast<QLabel*>(m_form->labelForField(m_force))->setText(tr("&Force"));
+    static_cast<QLabel*>(m_form->labelForField(m_force))->setText(tr("F&orce"));
     m_force->setSuffix(QStringLiteral(" N"));
     for (std::size_t i = 0; i < kArmTasks.size(); ++i)
         m_task->setItemText(static_cast<int>(i), ArmServoTexts::task(kArmTasks.at(i)));

@@ -319,7 +319,7 @@ void PlanPanel::retranslate() {
     m_testLabel->setText(tr("&Test"));
     m_participantLabel->setText(tr("Spread of &participants"));
     m_conditionLabel->setText(tr("Spread under one &condition"));
-    m_file->setText(tr("From a &file\u2026"));
+    m_file->setText(tr("Fro&m a file\u2026"));
     m_file->setToolTip(tr("A TOML file with shares of right answers or thresholds, and spreads"));
     m_pilot->setText(tr("From this st&udy"));
     m_pilot->setToolTip(tr("Assumes what the results of this study show; at least 5 participants"));

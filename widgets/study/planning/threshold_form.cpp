@@ -107,11 +107,11 @@ void ThresholdForm::retranslate() {
     const QString unit = displayUnit(m_task.levels.vary);
     const bool isLog = m_task.levels.range.scale == LevelScale::log10;
     const QString scale = isLog ? tr("log10 units") : unit;
-    m_thresholdLabel->setText(tr("Th&reshold"));
+    m_thresholdLabel->setText(tr("&Threshold"));
     m_threshold->setSuffix(QLatin1Char(' ') + unit);
     m_slopeLabel->setText(isWeibull(m_task) ? tr("Slope (Wei&bull)") : tr("Spread of the fu&nction"));
     m_slope->setSuffix(isWeibull(m_task) ? QString() : QLatin1Char(' ') + unit);
-    m_lapseLabel->setText(tr("L&apses"));
+    m_lapseLabel->setText(tr("&Lapses"));
     m_guessLabel->setText(tr("&Yes without a stimulus"));
     m_sdLabel->setText(tr("Spread of &participants"));
     m_sd->setSuffix(QLatin1Char(' ') + scale);

@@ -48,9 +48,9 @@ void JogPanel::retranslate() {
                           "together with a direction. Let go of either and it stands still.</p>"));
     showWrench();
     m_limits->retranslate();
-    m_run->setText(tr("&Run"));
+    m_run->setText(tr("R&un"));
     m_run->setToolTip(tr("Let the arm's program go on"));
-    m_hold->setText(tr("&Hold"));
+    m_hold->setText(tr("H&old"));
     m_hold->setToolTip(tr("Hold the arm where it is"));
     m_restart->setText(tr("R&estart"));
     m_restart->setToolTip(tr("Restart the arm's program"));

@@ -223,9 +223,9 @@ void LiveProbingPanel::refresh() {
 void LiveProbingPanel::retranslate() {
     m_progress->setAccessibleName(tr("How long the stick has been held still"));
     m_picture->setAccessibleName(tr("What the camera sees"));
-    m_back->setText(tr("&Back"));
+    m_back->setText(tr("Bac&k"));
     m_back->setToolTip(tr("Back to the previous hole. Probing it again replaces its pixel"));
-    m_skip->setText(tr("S&kip"));
+    m_skip->setText(tr("Sk&ip"));
     m_skip->setToolTip(tr("Skip this hole for now"));
     m_reference->setText(tr("Ne&w reference"));
     m_reference->setToolTip(tr("Take the next frame as the reference: nothing may touch the skin"));

@@ -63,7 +63,7 @@ void PairEntry::retranslate() {
         m_fields[i]->setAccessibleName(names[i]);
         m_fields[i]->setToolTip(names[i]);
     }
-    m_add->setText(tr("&Add pair"));
+    m_add->setText(tr("A&dd pair"));
     m_add->setToolTip(tr("Add this pair (Enter)"));
 }
 

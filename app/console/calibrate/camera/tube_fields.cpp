@@ -93,9 +93,9 @@ void TubeFields::tell() {
 
 void TubeFields::retranslate() {
     m_imageLabel->setText(tr("&Image:"));
-    m_radiusLabel->setText(tr("&Radius:"));
+    m_radiusLabel->setText(tr("Ra&dius:"));
     m_lengthLabel->setText(tr("Len&gth:"));
-    m_holeLabel->setText(tr("&Hole factor:"));
+    m_holeLabel->setText(tr("H&ole factor:"));
     m_width->setAccessibleName(tr("Width of the image"));
     m_height->setAccessibleName(tr("Height of the image"));
     m_width->setToolTip(tr("Width of the image that the pixels refer to"));
