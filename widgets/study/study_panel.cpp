@@ -6,6 +6,7 @@
 #include "widgets/study/watermark.h"
 
 #include <QAction>
+#include <QDir>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
@@ -21,6 +22,13 @@ namespace {
 
 constexpr int kSession = Qt::UserRole;
 
+/// As one types it into a shell.
+QString fromHome(const QString& folder) {
+    const QString home = QDir::homePath();
+    return folder.startsWith(home + QLatin1Char('/')) ? QLatin1Char('~') + folder.sliced(home.size())
+                                                      : folder;
+}
+
 } // namespace
 
 StudyPanel::StudyPanel(QWidget* parent)
@@ -35,6 +43,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     }
     for (QLabel* label : {m_folder, m_store, m_protocol})
         label->setFont(base::sized(font(), base::kSmallText));
+    m_folder->setObjectName(QStringLiteral("folder"));
     m_folder->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_list->addAction(m_delete);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -125,7 +134,8 @@ void StudyPanel::refresh() {
     m_name->setText(m_scene.name);
     m_mark->setText(modeMark(m_scene.mode));
     base::setTextColour(m_mark, modeColour(m_scene.mode, palette()));
-    m_folder->setText(m_scene.folder);
+    m_folder->setText(fromHome(m_scene.folder));
+    m_folder->setToolTip(m_scene.folder);
     base::setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
     const bool usable = m_scene.storeProblem.isEmpty();
     const base::StatusColours& status = base::statusColours(palette());

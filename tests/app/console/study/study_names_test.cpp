@@ -4,6 +4,7 @@
 #include "widgets/study/study_names.h"
 
 #include <QCoreApplication>
+#include <QLabel>
 #include <QScopeGuard>
 #include <QTranslator>
 
@@ -68,6 +69,21 @@ private slots:
         task.id = "outline";
         QCOMPARE(displayName(task, task.patterns[1]), QStringLiteral("rectangle"));
         QCOMPARE(displayCondition(task, "static"), QStringLiteral("static"));
+    }
+
+    void theFolderIsShownFromTheHomeOfTheUser() {
+        openStudy();
+        const auto* folder = m_page->findChild<QLabel*>(QStringLiteral("folder"));
+        QCOMPARE(folder->text(), studyFolder());
+        const QByteArray home = qgetenv("HOME");
+        const auto goBack = qScopeGuard([&] { qputenv("HOME", home); });
+        tearDown();
+        setUp();
+        qputenv("HOME", m_folder->path().toUtf8());
+        openStudy();
+        folder = m_page->findChild<QLabel*>(QStringLiteral("folder"));
+        QCOMPARE(folder->text(), QLatin1Char('~') + studyFolder().sliced(m_folder->path().size()));
+        QCOMPARE(folder->toolTip(), studyFolder());
     }
 
     void theAnswersFollowTheLanguageInMidSessionAndTheStudyDoesNot() {
