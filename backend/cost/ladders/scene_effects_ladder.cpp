@@ -90,7 +90,7 @@ Ladder sceneEffectsLadder() {
     Ladder ladder;
     ladder.name = "scene-effects";
     ladder.title =
-        LadderText::tr("A frame of the scene \"tactile-indenter\" without one of its effects").toStdString();
+        LadderText::tr("A frame of a simulated array without one of the sensor's effects").toStdString();
     ladder.truth =
         LadderText::tr("difference of a taxel from the scene with all effects, root mean square of a frame")
             .toStdString();
