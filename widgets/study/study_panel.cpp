@@ -2,11 +2,11 @@
 #include "widgets/study/study_panel.h"
 
 #include "widgets/base/on_change.h"
+#include "widgets/base/shown_path.h"
 #include "widgets/base/theme.h"
 #include "widgets/study/watermark.h"
 
 #include <QAction>
-#include <QDir>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
@@ -21,13 +21,6 @@ namespace teleta::study {
 namespace {
 
 constexpr int kSession = Qt::UserRole;
-
-/// As one types it into a shell.
-QString fromHome(const QString& folder) {
-    const QString home = QDir::homePath();
-    return folder.startsWith(home + QLatin1Char('/')) ? QLatin1Char('~') + folder.sliced(home.size())
-                                                      : folder;
-}
 
 } // namespace
 
@@ -134,7 +127,7 @@ void StudyPanel::refresh() {
     m_name->setText(m_scene.name);
     m_mark->setText(modeMark(m_scene.mode));
     base::setTextColour(m_mark, modeColour(m_scene.mode, palette()));
-    m_folder->setText(fromHome(m_scene.folder));
+    m_folder->setText(base::fromHome(m_scene.folder));
     m_folder->setToolTip(m_scene.folder);
     base::setTextColour(m_folder, palette().color(QPalette::PlaceholderText));
     const bool usable = m_scene.storeProblem.isEmpty();

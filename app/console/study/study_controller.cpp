@@ -6,6 +6,7 @@
 #include "backend/study/report/exports/participant_deletion.h"
 #include "backend/study/report/exports/study_export.h"
 #include "widgets/base/background.h"
+#include "widgets/base/shown_path.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -479,9 +480,10 @@ void StudyController::exportSession() {
                     StudyStoreThread::Store& store) { return study::exportSession(*store, who, record); },
                 [this](const core::Expected<void>& written) {
                     if (written)
-                        m_saved = tr("Saved and verified: %1")
-                                      .arg(QDir(QString::fromStdString(m_overview->location.folder))
-                                               .filePath(QStringLiteral("data")));
+                        m_saved =
+                            tr("Saved and verified: %1")
+                                .arg(base::fromHome(QString::fromStdString(m_overview->location.folder) +
+                                                    QStringLiteral("/data")));
                     else
                         emit failed(tr("The trials are safe in the study, but could not be exported."),
                                     written.error());
