@@ -26,7 +26,7 @@ recording=(--replay "$data/tactilus_sequence_excerpt.csv" --tare "$data/tactilus
     --threshold 20 --after 5)
 ball=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 6)
 plotted=(--plot tactile-indenter/features/force_n --plot tactile-indenter/features/cop_x_m --plot tactile-indenter/features/cop_y_m)
-touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 15)
+touch=(--scene "$root/resources/scenes/teleta-touch.toml" --after 14)
 touches=(--scene "$root/resources/scenes/teleta-touch.toml" --after 34)
 camera=(--scene "$root/resources/scenes/vtacarm-multicontact.toml" --after 4)
 contour=(--scene "$root/resources/scenes/teleta-contour-triangle.toml" --after 250)
@@ -35,8 +35,9 @@ bar=(--scene "$root/resources/scenes/tactile-indenter.toml" --after 14)
 
 studies=$(mktemp -d)
 trap 'rm -rf -- "$studies"' EXIT
+# Of a study the page shows the folder, from the home of the user.
 "$root/build/run/app/cli/teleta" study rehearse --participants 6 --seed 1 --out "$studies/whole"
-session=(--study "$studies/session" --rehearse --page study --after 45)
+session=(--study "$studies/studies/vibration" --rehearse --page study --after 45)
 participant=(--study "$studies/participant" --rehearse --page study --dock participant --after 8)
 results=(--study "$studies/whole" --page study --dock results --after 8)
 "$root/build/run/app/cli/teleta" simulate "$root/resources/scenes/vtacarm-calibration.toml" --out "$studies/camera"
@@ -60,11 +61,11 @@ take() {
 }
 
 if [[ ${1:-} == --handbook ]]; then
-    take page-start --fresh --after 5 --theme light
+    take page-start --fresh --after 60 --theme light
     take page-operate "${touches[@]}" --dock touches --theme light
     take page-recording "${recording[@]}" --theme light
     take page-patterns --page patterns --after 6 --theme light
-    take page-study "${session[@]}" --theme light
+    HOME=$studies take page-study "${session[@]}" --theme light
     take page-calibrate --page calibrate --after 5 --theme light
     take page-plot "${bar[@]}" --page plot "${plotted[@]}" --theme light
     # Measured on this machine.
@@ -80,9 +81,9 @@ take operate-touches-dark "${touches[@]}" --dock touches --theme dark
 take patterns-light --page patterns --pattern "$studies/pattern.json" --after 6 --theme light
 take calibrate-camera-dark --page calibrate --camera-pairs "$studies/camera/pairs.csv" --after 12 --theme dark
 take calibrate-motors-light --page calibrate --after 4 --theme light
-take study-session-light "${session[@]}" --theme light
+HOME=$studies take study-session-light "${session[@]}" --theme light
 take study-participant-light "${participant[@]}" --theme light
-take study-results-dark "${results[@]}" --theme dark
+HOME=$studies take study-results-dark "${results[@]}" --theme dark
 take operate-recording-dark "${recording[@]}" --theme dark
 take operate-recording-light "${recording[@]}" --theme light
 take operate-ball-light "${ball[@]}" --theme light
