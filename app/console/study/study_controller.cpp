@@ -479,11 +479,10 @@ void StudyController::exportSession() {
     m_store.ask([who = m_running->participant, record = m_running->record](
                     StudyStoreThread::Store& store) { return study::exportSession(*store, who, record); },
                 [this](const core::Expected<void>& written) {
+                    const std::string data = m_overview->location.folder + "/data";
                     if (written)
                         m_saved =
-                            tr("Saved and verified: %1")
-                                .arg(base::fromHome(QString::fromStdString(m_overview->location.folder) +
-                                                    QStringLiteral("/data")));
+                            tr("Saved and verified: %1").arg(base::fromHome(QString::fromStdString(data)));
                     else
                         emit failed(tr("The trials are safe in the study, but could not be exported."),
                                     written.error());
