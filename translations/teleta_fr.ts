@@ -17420,7 +17420,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Save…</source>
-        <translation>&amp;Enregistrer…</translation>
+        <translation>E&amp;nregistrer…</translation>
     </message>
     <message>
         <source>&amp;Tare now</source>
@@ -17873,7 +17873,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
+        <translation>E&amp;nregistrer</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
@@ -18404,7 +18404,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Enlarged</source>
-        <translation>&amp;Agrandi</translation>
+        <translation>A&amp;grandi</translation>
     </message>
     <message>
         <source>Enlargement of the arrows</source>
@@ -19777,7 +19777,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Annuler</translation>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>Not measured on this machine</source>
@@ -19902,7 +19902,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Setting in use</source>
-        <translation>&amp;Réglage utilisé</translation>
+        <translation>Ré&amp;glage utilisé</translation>
     </message>
     <message>
         <source>Setting that finds the contacts</source>
@@ -21857,7 +21857,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Annuler</translation>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>Closes it again</source>
@@ -23875,7 +23875,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation>&amp;Annuler</translation>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -23942,7 +23942,7 @@ Lancez teleta-site --help pour en savoir plus.
     <name>teleta::console::TubeFields</name>
     <message>
         <source>&amp;Image:</source>
-        <translation>&amp;Image&#xa0;:</translation>
+        <translation>I&amp;mage&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Radius:</source>
@@ -24489,7 +24489,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Loop:</source>
-        <translation>&amp;Boucle&#xa0;:</translation>
+        <translation>Bo&amp;ucle&#xa0;:</translation>
     </message>
     <message>
         <source>Begin of the loop</source>
@@ -24501,7 +24501,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>T&amp;ells:</source>
-        <translation>&amp;Exprime&#xa0;:</translation>
+        <translation>E&amp;xprime&#xa0;:</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -24910,7 +24910,7 @@ Lancez teleta-site --help pour en savoir plus.
     <name>teleta::servo::ServoRunsView</name>
     <message>
         <source>&amp;Picture</source>
-        <translation>&amp;Image</translation>
+        <translation>I&amp;mage</translation>
     </message>
     <message>
         <source>Copies or saves the chart or its data</source>
@@ -25543,7 +25543,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Part&amp;icipants</source>
-        <translation>Part&amp;icipants</translation>
+        <translation>Participa&amp;nts</translation>
     </message>
     <message>
         <source>from </source>
@@ -25699,7 +25699,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation>&amp;Exporter</translation>
+        <translation>E&amp;xporter</translation>
     </message>
     <message>
         <source>Writes the trials, or these results, into the folder of the study</source>
@@ -25850,7 +25850,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>Participant&apos;s &amp;window</source>
-        <translation>&amp;Fenêtre du participant</translation>
+        <translation>Fenêtre &amp;du participant</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
@@ -26080,7 +26080,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>&amp;Clear tare</source>
-        <translation>&amp;Effacer la tare</translation>
+        <translation>Effacer &amp;la tare</translation>
     </message>
     <message>
         <source>Uses the raw values again</source>
@@ -26160,7 +26160,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>&amp;Point below:</source>
-        <translation>Po&amp;int au-dessous de&#xa0;:</translation>
+        <translation>Poi&amp;nt au-dessous de&#xa0;:</translation>
     </message>
     <message>
         <source>The contact becomes a point when the ratio of the eigenvalues falls below this</source>
@@ -26395,7 +26395,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>R&amp;estart</source>
-        <translation>&amp;Recommencer</translation>
+        <translation>Re&amp;commencer</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -26624,7 +26624,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -26640,11 +26640,11 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation>&amp;Importer…</translation>
+        <translation>I&amp;mporter…</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
+        <translation>E&amp;xporter…</translation>
     </message>
     <message>
         <source>Pattern for %1</source>
