@@ -3198,10 +3198,6 @@ Exemples&#xa0;:
         <translation>distance du vrai contour (cercle, rectangle, profil coudé) à la courbe</translation>
     </message>
     <message>
-        <source>A frame of the scene &quot;tactile-indenter&quot; without one of its effects</source>
-        <translation>Une trame de la scène «&#xa0;tactile-indenter&#xa0;» sans l’un de ses effets</translation>
-    </message>
-    <message>
         <source>difference of a taxel from the scene with all effects, root mean square of a frame</source>
         <translation>écart d’un taxel à la scène avec tous les effets, moyenne quadratique d’une trame</translation>
     </message>
@@ -3276,6 +3272,10 @@ Exemples&#xa0;:
     <message>
         <source>distance of each body from the nearest contact of its patch, and of each contact from the nearest body; from the patch&apos;s middle where there is none</source>
         <translation>distance de chaque corps au contact le plus proche de son carré de peau, et de chaque contact au corps le plus proche ; au milieu du carré s’il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>A frame of a simulated array without one of the sensor&apos;s effects</source>
+        <translation>Une trame d’un réseau simulé sans l’un des effets du capteur</translation>
     </message>
 </context>
 <context>
@@ -11812,6 +11812,23 @@ Lancez teleta-site --help pour en savoir plus.
         <source>an accelerometer at tactor 1, or a cable from its output to this input</source>
         <translation>un accéléromètre sur l’actionneur 1, ou un câble de sa sortie à cette entrée</translation>
     </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>La mesure a été interrompue.</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLatencyFile</name>
+    <message>
+        <source>The latency cannot be written into %1.</source>
+        <translation>La latence ne peut pas être écrite dans %1.</translation>
+    </message>
+    <message>
+        <source>these lines in the file, written by hand:
+%1</source>
+        <translation>ces lignes dans le fichier, écrites à la main :
+%1</translation>
+    </message>
 </context>
 <context>
     <name>SourceText</name>
@@ -17103,10 +17120,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Tâche</translation>
     </message>
     <message>
-        <source>&amp;Force</source>
-        <translation>&amp;Force</translation>
-    </message>
-    <message>
         <source>Force with which the pad presses</source>
         <translation>Force avec laquelle la matrice appuie</translation>
     </message>
@@ -17117,6 +17130,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Dead-man switch: the task runs only while this button or Space is held</source>
         <translation>Dispositif d’homme mort : la tâche ne s’exécute que tant que ce bouton ou Espace est tenu</translation>
+    </message>
+    <message>
+        <source>F&amp;orce</source>
+        <translation>F&amp;orce</translation>
     </message>
 </context>
 <context>
@@ -17411,20 +17428,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Charger…</translation>
     </message>
     <message>
-        <source>&amp;Reset</source>
-        <translation>&amp;Réinitialiser</translation>
-    </message>
-    <message>
         <source>Use no gains and forget all presses</source>
         <translation>N’utiliser aucun gain et oublier tous les appuis</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
         <translation>E&amp;nregistrer…</translation>
-    </message>
-    <message>
-        <source>&amp;Tare now</source>
-        <translation>&amp;Tarer maintenant</translation>
     </message>
     <message>
         <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
@@ -17521,6 +17530,33 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
         <translation>Les taxels rouges ressentent trop peu et sont relevés, les bleus sont abaissés, les hachurés ne sont pas utilisés. Les flèches ou la souris lisent un taxel.</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>Réi&amp;nitialiser</translation>
+    </message>
+    <message>
+        <source>Tare &amp;now</source>
+        <translation>&amp;Tarer maintenant</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::calibrate::LatencyChart</name>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation>latence</translation>
+    </message>
+    <message>
+        <source>Latency of the clicks: none was heard yet</source>
+        <translation>Latence des clics : aucun n&apos;a encore été entendu</translation>
+    </message>
+    <message>
+        <source>Latency of the clicks: %1 ms</source>
+        <translation>Latence des clics : %1 ms</translation>
     </message>
 </context>
 <context>
@@ -17868,20 +17904,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Enregistrer une co&amp;pie…</translation>
     </message>
     <message>
-        <source>&amp;Reset</source>
-        <translation>&amp;Réinitialiser</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>E&amp;nregistrer</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
         <translation>&amp;Mesurer ce moteur</translation>
-    </message>
-    <message>
-        <source>Measure &amp;all six</source>
-        <translation>Mesurer les &amp;six</translation>
     </message>
     <message>
         <source>One after another, with the bracelet&apos;s sensor</source>
@@ -17892,16 +17920,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Ouvrir un enregistrement…</translation>
     </message>
     <message>
-        <source>&amp;Balance by feel</source>
-        <translation>Équili&amp;brer au ressenti</translation>
-    </message>
-    <message>
         <source>Compare the strength of each motor with that of motor 1</source>
         <translation>Comparer la force de chaque moteur à celle du moteur 1</translation>
-    </message>
-    <message>
-        <source>Balance by the cur&amp;ves</source>
-        <translation>Équilibrer par les co&amp;urbes</translation>
     </message>
     <message>
         <source>Stop measuring</source>
@@ -17972,10 +17992,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ce qui est commandé au moteur pendant une mesure, en CSV&#xa0;: pour votre propre capteur</translation>
     </message>
     <message>
-        <source>Find the start by &amp;feel</source>
-        <translation>&amp;Trouver son démarrage au ressenti</translation>
-    </message>
-    <message>
         <source>Plays weaker and stronger bursts; you say what you felt</source>
         <translation>Des salves qui faiblissent et se renforcent&#xa0;; vous dites ce que vous avez senti</translation>
     </message>
@@ -18018,6 +18034,26 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>In files</source>
         <translation>Dans des fichiers</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>Réi&amp;nitialiser</translation>
+    </message>
+    <message>
+        <source>Measure all si&amp;x</source>
+        <translation>Mesurer les &amp;six</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd the start by feel</source>
+        <translation>&amp;Trouver son démarrage au ressenti</translation>
+    </message>
+    <message>
+        <source>Balance b&amp;y feel</source>
+        <translation>É&amp;quilibrer au ressenti</translation>
+    </message>
+    <message>
+        <source>Balance by the c&amp;urves</source>
+        <translation>Équilibrer par les co&amp;urbes</translation>
     </message>
 </context>
 <context>
@@ -18079,10 +18115,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ce détecteur ne peut pas être utilisé&#xa0;: %1</translation>
     </message>
     <message>
-        <source>&amp;Finder</source>
-        <translation>&amp;Détecteur</translation>
-    </message>
-    <message>
         <source>Finder</source>
         <translation>Détecteur</translation>
     </message>
@@ -18093,10 +18125,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Show how far the pattern on the skin has moved</source>
         <translation>Montrer de combien le motif imprimé sur la peau s’est déplacé</translation>
-    </message>
-    <message>
-        <source>New &amp;reference</source>
-        <translation>Nouvelle &amp;référence</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -18157,6 +18185,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Freeze the picture; contacts are still tracked (Space)</source>
         <translation>Garder cette image&#xa0;; le suivi des contacts continue (Espace)</translation>
+    </message>
+    <message>
+        <source>F&amp;inder</source>
+        <translation>&amp;Détecteur</translation>
+    </message>
+    <message>
+        <source>&amp;New reference</source>
+        <translation>&amp;Nouvelle référence</translation>
     </message>
 </context>
 <context>
@@ -18415,16 +18451,16 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Combien de fois les flèches sont plus longues que le déplacement</translation>
     </message>
     <message>
-        <source>New &amp;rest</source>
-        <translation>Nouveau &amp;repos</translation>
-    </message>
-    <message>
         <source>Take the next pictures as the gel at rest: nothing may touch it</source>
         <translation>Prendre les images suivantes comme gel au repos&#xa0;: rien ne doit le toucher</translation>
     </message>
     <message>
         <source>Freeze the picture; markers are still followed (Space)</source>
         <translation>Figer l’image&#xa0;; les marqueurs sont toujours suivis (Espace)</translation>
+    </message>
+    <message>
+        <source>&amp;New rest</source>
+        <translation>&amp;Nouveau repos</translation>
     </message>
 </context>
 <context>
@@ -19347,6 +19383,14 @@ Lancez teleta-site --help pour en savoir plus.
         <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
         <translation>Un fichier qui décrit les registres d’un pilote de moteurs Modbus, les identifiants d’un bracelet USB, ou les sorties d’une carte son</translation>
     </message>
+    <message>
+        <source>Measure its &amp;latency…</source>
+        <translation>Mesurer sa &amp;latence…</translation>
+    </message>
+    <message>
+        <source>From a frame to the movement of a tactor, for a bracelet on a sound card</source>
+        <translation>D&apos;une trame au mouvement d&apos;un tacteur, pour un bracelet sur une carte son</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -19816,10 +19860,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Temps d’une image, maintenant</translation>
     </message>
     <message>
-        <source>Time &amp;budget of a frame</source>
-        <translation>&amp;Budget de temps d’une image</translation>
-    </message>
-    <message>
         <source> ms a frame</source>
         <translation> ms par image</translation>
     </message>
@@ -19885,10 +19925,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Tâches qui peuvent se faire vite ou exactement</translation>
     </message>
     <message>
-        <source>Measure &amp;all jobs</source>
-        <translation>Mesurer &amp;toutes les tâches</translation>
-    </message>
-    <message>
         <source>Measure this job</source>
         <translation>Mesurer cette tâche</translation>
     </message>
@@ -19932,6 +19968,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>&amp;Measure again</source>
         <translation>&amp;Mesurer à nouveau</translation>
+    </message>
+    <message>
+        <source>Measure all &amp;jobs</source>
+        <translation>Mesurer &amp;toutes les tâches</translation>
+    </message>
+    <message>
+        <source>&amp;Time budget of a frame</source>
+        <translation>Budget &amp;de temps d’une image</translation>
     </message>
 </context>
 <context>
@@ -20383,6 +20427,30 @@ Lancez teleta-site --help pour en savoir plus.
         <source>0.2 N, or one count</source>
         <translation>0,2 N, ou un coup</translation>
     </message>
+    <message>
+        <source>only for taxels off a grid, or with three components</source>
+        <translation>seulement pour des taxels hors grille ou à trois composantes</translation>
+    </message>
+    <message>
+        <source>The device file of the array, or a file with its table [layout]: it says where the taxels are. Rows, columns and pitch are not needed then.</source>
+        <translation>Le fichier d’appareil de la matrice, ou un fichier avec sa table [layout] : il dit où sont les taxels. Lignes, colonnes et pas sont alors inutiles.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>File of the &amp;array:</source>
+        <translation>Fichier de la m&amp;atrice :</translation>
+    </message>
+    <message>
+        <source>File of the array</source>
+        <translation>Fichier de la matrice</translation>
+    </message>
+    <message>
+        <source>Arrays (*.toml)</source>
+        <translation>Matrices (*.toml)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FramePreview</name>
@@ -20561,6 +20629,62 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The arm reports joints that its description does not have: %1.</source>
         <translation>Le bras indique des articulations que sa description n’a pas : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LatencyDialog</name>
+    <message>
+        <source>Latency of the bracelet</source>
+        <translation>Latence du bracelet</translation>
+    </message>
+    <message>
+        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
+        <translation>Dix clics sont joués sur le tacteur 1 et entendus à une entrée de la carte son : fixez un accéléromètre au tacteur, ou reliez sa sortie à l&apos;entrée par un câble. La médiane est conservée dans le fichier de l&apos;appareil, et les études comptent à partir du moment où un stimulus est ressenti.</translation>
+    </message>
+    <message>
+        <source>&amp;Input:</source>
+        <translation>&amp;Entrée :</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Chercher de nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Save in the device file</source>
+        <translation>Enregi&amp;strer dans le fichier de l&apos;appareil</translation>
+    </message>
+    <message>
+        <source>The sound server has no input.</source>
+        <translation>Le serveur de son n&apos;a aucune entrée.</translation>
+    </message>
+    <message>
+        <source>S&amp;top measuring</source>
+        <translation>Arrê&amp;ter la mesure</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <source>Clicks are played. Leave the tactor and the input alone.</source>
+        <translation>Des clics sont joués. Ne touchez ni au tacteur ni à l&apos;entrée.</translation>
+    </message>
+    <message>
+        <source>Median %1 ms, spread %2 ms from the shortest to the longest.</source>
+        <translation>Médiane %1 ms, étendue %2 ms du plus court au plus long.</translation>
+    </message>
+    <message>
+        <source>It is saved in %1.</source>
+        <comment>a file</comment>
+        <translation>Elle est enregistrée dans %1.</translation>
+    </message>
+    <message>
+        <source>The device file says %1 ms, as measured before.</source>
+        <translation>Le fichier de l&apos;appareil indique %1 ms, mesurés auparavant.</translation>
+    </message>
+    <message>
+        <source>Not measured yet. The sound server states at most %1 ms.</source>
+        <translation>Pas encore mesurée. Le serveur de son annonce au plus %1 ms.</translation>
     </message>
 </context>
 <context>
@@ -20995,14 +21119,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ce que voit la caméra</translation>
     </message>
     <message>
-        <source>&amp;Back</source>
-        <translation>&amp;Retour</translation>
-    </message>
-    <message>
-        <source>S&amp;kip</source>
-        <translation>&amp;Passer</translation>
-    </message>
-    <message>
         <source>Sto&amp;p probing</source>
         <translation>Arrê&amp;ter le palpage</translation>
     </message>
@@ -21045,6 +21161,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Keep the pairs collected so far</source>
         <translation>Garder ce qui a été recueilli jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>Ret&amp;our</translation>
+    </message>
+    <message>
+        <source>Sk&amp;ip</source>
+        <translation>&amp;Passer</translation>
     </message>
 </context>
 <context>
@@ -21899,12 +22023,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>z du point, le long du tube</translation>
     </message>
     <message>
-        <source>&amp;Add pair</source>
-        <translation>&amp;Ajouter la paire</translation>
-    </message>
-    <message>
         <source>Add this pair (Enter)</source>
         <translation>Prendre cette paire en compte (Entrée)</translation>
+    </message>
+    <message>
+        <source>A&amp;dd pair</source>
+        <translation>Ajouter &amp;la paire</translation>
     </message>
 </context>
 <context>
@@ -22106,10 +22230,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Enregistrer les d&amp;onnées…</translation>
     </message>
     <message>
-        <source>&amp;Add a recording…</source>
-        <translation>&amp;Ajouter un enregistrement…</translation>
-    </message>
-    <message>
         <source>Plot a recording as a whole, without playing it</source>
         <translation>Tracer un enregistrement en entier, sans le lire</translation>
     </message>
@@ -22237,6 +22357,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
         <translation>Arrêter la lecture et retirer ces signaux&#xa0;; Ctrl+Z les relit</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a recording…</source>
+        <translation>Ajouter &amp;un enregistrement…</translation>
     </message>
 </context>
 <context>
@@ -23364,10 +23488,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Un bras simulé qui touche cinq matériaux</translation>
     </message>
     <message>
-        <source>Open &amp;recording…</source>
-        <translation>Ouvrir un en&amp;registrement…</translation>
-    </message>
-    <message>
         <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
         <translation>Un enregistrement de ce programme ou en MCAP, ou des trames d’une matrice : CSV, NumPy, HDF5, MATLAB, Tekscan</translation>
     </message>
@@ -23378,6 +23498,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>A TOML file that lists scenes and recordings</source>
         <translation>Un fichier TOML qui énumère des scènes et des enregistrements</translation>
+    </message>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>&amp;Ouvrir un enregistrement…</translation>
     </message>
 </context>
 <context>
@@ -23732,6 +23856,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Results that were written before still count the participant: write them again.</source>
         <translation>Les résultats écrits auparavant comptent encore le participant&#xa0;: écrivez-les à nouveau.</translation>
     </message>
+    <message>
+        <source>Show it</source>
+        <translation>L’afficher</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyPlanning</name>
@@ -23862,10 +23990,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Ouvrir un balayage…</translation>
     </message>
     <message>
-        <source>Open &amp;results…</source>
-        <translation>Ouvrir des &amp;résultats…</translation>
-    </message>
-    <message>
         <source>&amp;Start…</source>
         <translation>&amp;Démarrer…</translation>
     </message>
@@ -23888,6 +24012,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Cells with their settings and the measure</source>
         <translation>Cellules avec leurs réglages et la mesure</translation>
+    </message>
+    <message>
+        <source>Open resu&amp;lts…</source>
+        <translation>O&amp;uvrir des résultats…</translation>
     </message>
 </context>
 <context>
@@ -23945,10 +24073,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>I&amp;mage&#xa0;:</translation>
     </message>
     <message>
-        <source>&amp;Radius:</source>
-        <translation>&amp;Rayon&#xa0;:</translation>
-    </message>
-    <message>
         <source>Len&amp;gth:</source>
         <translation>&amp;Longueur&#xa0;:</translation>
     </message>
@@ -23973,10 +24097,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Longueur de la surface, depuis z = 0 du repère du capteur</translation>
     </message>
     <message>
-        <source>&amp;Hole factor:</source>
-        <translation>Facteur des &amp;trous&#xa0;:</translation>
-    </message>
-    <message>
         <source>Width of the image that the pixels refer to</source>
         <translation>Largeur de l’image qui contient les pixels</translation>
     </message>
@@ -23995,6 +24115,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>For points that are holes of a shell: x and y times this factor lie on the elastomer (0.97 for the shell in the paper)</source>
         <translation>Les points sont les trous d’une coque&#xa0;: leurs x et y multipliés par ce facteur sont sur l’élastomère (coque de l’article&#xa0;: 0,97)</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius:</source>
+        <translation>Ra&amp;yon :</translation>
+    </message>
+    <message>
+        <source>H&amp;ole factor:</source>
+        <translation>Facteur des &amp;trous :</translation>
     </message>
 </context>
 <context>
@@ -24035,10 +24163,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Avertissements</translation>
     </message>
     <message>
-        <source>&amp;Fix</source>
-        <translation>&amp;Corriger</translation>
-    </message>
-    <message>
         <source>Laws: no warning</source>
         <translation>Lois&#xa0;: aucun avertissement</translation>
     </message>
@@ -24049,6 +24173,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Laws: %1 to review</source>
         <translation>Lois&#xa0;: %1 à examiner</translation>
+    </message>
+    <message>
+        <source>F&amp;ix</source>
+        <translation>&amp;Corriger</translation>
     </message>
 </context>
 <context>
@@ -24760,10 +24888,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Tâche</translation>
     </message>
     <message>
-        <source>&amp;Force</source>
-        <translation>&amp;Force</translation>
-    </message>
-    <message>
         <source>Force with which the array presses</source>
         <translation>Force avec laquelle la matrice appuie</translation>
     </message>
@@ -24870,6 +24994,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Start the scene again (Ctrl+F5)</source>
         <translation>Recommencer la scène (Ctrl+F5)</translation>
     </message>
+    <message>
+        <source>F&amp;orce</source>
+        <translation>F&amp;orce</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -24934,14 +25062,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>exécutions-asservissement</translation>
     </message>
     <message>
-        <source>&amp;Add recorded run…</source>
-        <translation>&amp;Ajouter une exécution enregistrée…</translation>
-    </message>
-    <message>
-        <source>&amp;Forget other runs</source>
-        <translation>&amp;Oublier les autres exécutions</translation>
-    </message>
-    <message>
         <source>Add recorded run</source>
         <translation>Ajouter une exécution enregistrée</translation>
     </message>
@@ -24960,6 +25080,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>Pas encore d’exécution. Les exécutions d’asservissements sont tracées ici, l’une sur l’autre.</translation>
+    </message>
+    <message>
+        <source>A&amp;dd recorded run…</source>
+        <translation>Ajouter &amp;une exécution enregistrée…</translation>
+    </message>
+    <message>
+        <source>Forget &amp;other runs</source>
+        <translation>&amp;Oublier les autres exécutions</translation>
     </message>
 </context>
 <context>
@@ -25209,10 +25337,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Décalage d’horloge : %1 s ± %2 ms</translation>
     </message>
     <message>
-        <source>Lost of %1: %2</source>
-        <translation>Perdu de %1 : %2</translation>
-    </message>
-    <message>
         <source>Refused: %1 (%2)</source>
         <comment>a reason and how often</comment>
         <translation>Refusé : %1 (%2)</translation>
@@ -25228,6 +25352,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The other console shows it</source>
         <translation>L’autre console l’affiche</translation>
+    </message>
+    <message>
+        <source>Lost on the way, %1: %2</source>
+        <translation>Perdu en route, %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -25526,10 +25654,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Dispersion dans une &amp;condition</translation>
     </message>
     <message>
-        <source>From a &amp;file…</source>
-        <translation>D’un &amp;fichier…</translation>
-    </message>
-    <message>
         <source>From this st&amp;udy</source>
         <translation>De cette ét&amp;ude</translation>
     </message>
@@ -25611,6 +25735,10 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
 Enter what you assume on the left, and choose Plan.</source>
         <translation>La part des études à l’intervalle assez étroit sera affichée ici.
 Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
+    </message>
+    <message>
+        <source>Fro&amp;m a file…</source>
+        <translation>&amp;D’un fichier…</translation>
     </message>
 </context>
 <context>
@@ -25857,10 +25985,6 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>&amp;Abort…</source>
-        <translation>&amp;Abandonner…</translation>
-    </message>
-    <message>
         <source>The session ends here. All answers are saved, and it can be resumed later where it stopped.</source>
         <translation>La session se termine ici. Les réponses données sont conservées, et la session peut être reprise plus tard, là où elle s’est arrêtée.</translation>
     </message>
@@ -25907,6 +26031,10 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Ab&amp;ort…</source>
+        <translation>Aba&amp;ndonner…</translation>
     </message>
 </context>
 <context>
@@ -26025,20 +26153,12 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <translation>Des stimuli constants&#xa0;: à chaque niveau</translation>
     </message>
     <message>
-        <source>Th&amp;reshold</source>
-        <translation>Seui&amp;l</translation>
-    </message>
-    <message>
         <source>Slope (Wei&amp;bull)</source>
         <translation>Pente (Wei&amp;bull)</translation>
     </message>
     <message>
         <source>Spread of the fu&amp;nction</source>
         <translation>Étalement de la fo&amp;nction</translation>
-    </message>
-    <message>
-        <source>L&amp;apses</source>
-        <translation>L&amp;apses</translation>
     </message>
     <message>
         <source>&amp;Yes without a stimulus</source>
@@ -26051,6 +26171,14 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Trials of a trac&amp;k</source>
         <translation>Essais d’une série (&amp;k)</translation>
+    </message>
+    <message>
+        <source>&amp;Threshold</source>
+        <translation>Seui&amp;l</translation>
+    </message>
+    <message>
+        <source>&amp;Lapses</source>
+        <translation>Lap&amp;ses</translation>
     </message>
 </context>
 <context>
@@ -26095,24 +26223,12 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <translation>Charge par unité brute</translation>
     </message>
     <message>
-        <source>Values &amp;fall under load</source>
-        <translation>Les &amp;valeurs diminuent sous charge</translation>
-    </message>
-    <message>
         <source>For arrays whose raw values are highest when nothing touches them</source>
         <translation>Pour les matrices dont les valeurs brutes sont maximales quand rien ne les touche</translation>
     </message>
     <message>
-        <source>T&amp;hreshold:</source>
-        <translation>&amp;Seuil&#xa0;:</translation>
-    </message>
-    <message>
         <source>A taxel is in contact from this load on</source>
         <translation>Un taxel est en contact à partir de cette charge</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic threshold</source>
-        <translation>Seuil &amp;automatique</translation>
     </message>
     <message>
         <source>Finds the lowest useful threshold in each frame; the value above is its lower bound</source>
@@ -26137,10 +26253,6 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Which taxels the principal axis is computed from</source>
         <translation>Les taxels à partir desquels l’axe principal est calculé</translation>
-    </message>
-    <message>
-        <source>&amp;Force over:</source>
-        <translation>&amp;Force sur&#xa0;:</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -26210,6 +26322,22 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Reset everything but the tare and the taxel gains</source>
         <translation>Valeurs par défaut pour tout sauf la tare et les gains des taxels</translation>
+    </message>
+    <message>
+        <source>Values fall under load</source>
+        <translation>Les &amp;valeurs diminuent sous charge</translation>
+    </message>
+    <message>
+        <source>Thresho&amp;ld:</source>
+        <translation>&amp;Seuil :</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic threshold</source>
+        <translation>Seui&amp;l automatique</translation>
+    </message>
+    <message>
+        <source>Force over:</source>
+        <translation>For&amp;ce sur :</translation>
     </message>
 </context>
 <context>
@@ -26378,16 +26506,8 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>&lt;p&gt;Déplace le bras à la main. Il ne bouge que tant que vous maintenez Shift, ou le bouton large, avec une direction. Relâchez l’un ou l’autre et il s’arrête.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Exécuter</translation>
-    </message>
-    <message>
         <source>Let the arm&apos;s program go on</source>
         <translation>Laisser continuer le programme du bras</translation>
-    </message>
-    <message>
-        <source>&amp;Hold</source>
-        <translation>&amp;Maintenir</translation>
     </message>
     <message>
         <source>Hold the arm where it is</source>
@@ -26565,6 +26685,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>Speed and effort of %1, as the arm reports them</source>
         <translation>Vitesse et effort de %1, tels que le bras les indique</translation>
     </message>
+    <message>
+        <source>R&amp;un</source>
+        <translation>E&amp;xécuter</translation>
+    </message>
+    <message>
+        <source>H&amp;old</source>
+        <translation>&amp;Maintenir</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -26625,10 +26753,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>&amp;Undo</source>
         <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
     </message>
     <message>
         <source>&amp;Defaults</source>
@@ -26713,6 +26837,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Kind</source>
         <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Red&amp;o</source>
+        <translation>Ré&amp;tablir</translation>
     </message>
 </context>
 <context>

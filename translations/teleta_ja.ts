@@ -3192,10 +3192,6 @@ Examples:
         <translation>真の輪郭 (円、長方形、曲がった断面) と曲線との距離</translation>
     </message>
     <message>
-        <source>A frame of the scene &quot;tactile-indenter&quot; without one of its effects</source>
-        <translation>効果を1つ除いたシーン「tactile-indenter」のフレーム</translation>
-    </message>
-    <message>
         <source>difference of a taxel from the scene with all effects, root mean square of a frame</source>
         <translation>全効果を含むシーンとのタクセルの差 (フレームの二乗平均平方根)</translation>
     </message>
@@ -3270,6 +3266,10 @@ Examples:
     <message>
         <source>distance of each body from the nearest contact of its patch, and of each contact from the nearest body; from the patch&apos;s middle where there is none</source>
         <translation>各物体からその皮膚片の最も近い接触まで、および各接触から最も近い物体までの距離。なければ皮膚片の中央までの距離</translation>
+    </message>
+    <message>
+        <source>A frame of a simulated array without one of the sensor&apos;s effects</source>
+        <translation>センサーの効果を1つ除いた、シミュレーションのアレイの1フレーム</translation>
     </message>
 </context>
 <context>
@@ -11785,6 +11785,23 @@ Run teleta-site --help for more.
         <source>an accelerometer at tactor 1, or a cable from its output to this input</source>
         <translation>アクチュエーター1の加速度センサー、またはその出力からこの入力へのケーブル</translation>
     </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>測定は中断されました。</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLatencyFile</name>
+    <message>
+        <source>The latency cannot be written into %1.</source>
+        <translation>遅延を %1 に書き込めません。</translation>
+    </message>
+    <message>
+        <source>these lines in the file, written by hand:
+%1</source>
+        <translation>次の行を手でファイルに書く:
+%1</translation>
+    </message>
 </context>
 <context>
     <name>SourceText</name>
@@ -17064,10 +17081,6 @@ Run teleta-site --help for more.
         <translation>タスク(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Force</source>
-        <translation>力(&amp;F)</translation>
-    </message>
-    <message>
         <source>Force with which the pad presses</source>
         <translation>パッドが押す力</translation>
     </message>
@@ -17078,6 +17091,10 @@ Run teleta-site --help for more.
     <message>
         <source>Dead-man switch: the task runs only while this button or Space is held</source>
         <translation>デッドマンスイッチ: このボタンまたはスペースキーを押している間だけタスクが動きます</translation>
+    </message>
+    <message>
+        <source>F&amp;orce</source>
+        <translation>力(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -17367,20 +17384,12 @@ Run teleta-site --help for more.
         <translation>読み込み(&amp;L)…</translation>
     </message>
     <message>
-        <source>&amp;Reset</source>
-        <translation>リセット(&amp;R)</translation>
-    </message>
-    <message>
         <source>Use no gains and forget all presses</source>
         <translation>ゲインを使わず、すべての押圧を破棄します</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
         <translation>保存(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>&amp;Tare now</source>
-        <translation>ゼロ点調整(&amp;T)</translation>
     </message>
     <message>
         <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
@@ -17477,6 +17486,33 @@ Run teleta-site --help for more.
     <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
         <translation>赤いタクセルは感度が低いため引き上げられ、青いものは引き下げられ、斜線のものは使われません。矢印キーかマウスで1つずつ読めます。</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>リセット(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tare &amp;now</source>
+        <translation>ゼロ点調整(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::calibrate::LatencyChart</name>
+    <message>
+        <source>click</source>
+        <translation>クリック</translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation>遅延</translation>
+    </message>
+    <message>
+        <source>Latency of the clicks: none was heard yet</source>
+        <translation>クリックの遅延: まだ聞こえていません</translation>
+    </message>
+    <message>
+        <source>Latency of the clicks: %1 ms</source>
+        <translation>クリックの遅延: %1 ms</translation>
     </message>
 </context>
 <context>
@@ -17824,20 +17860,12 @@ Run teleta-site --help for more.
         <translation>コピーを保存(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Reset</source>
-        <translation>リセット(&amp;R)</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
         <translation>このモーターを測定(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Measure &amp;all six</source>
-        <translation>6個すべて測定(&amp;A)</translation>
     </message>
     <message>
         <source>One after another, with the bracelet&apos;s sensor</source>
@@ -17848,16 +17876,8 @@ Run teleta-site --help for more.
         <translation>記録を開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>&amp;Balance by feel</source>
-        <translation>感覚で均一化(&amp;B)</translation>
-    </message>
-    <message>
         <source>Compare the strength of each motor with that of motor 1</source>
         <translation>各モーターの強さをモーター1と比べます</translation>
-    </message>
-    <message>
-        <source>Balance by the cur&amp;ves</source>
-        <translation>曲線で均一化(&amp;V)</translation>
     </message>
     <message>
         <source>Stop measuring</source>
@@ -17928,10 +17948,6 @@ Run teleta-site --help for more.
         <translation>測定中のモーターへの指令 (CSV): ご自身のセンサーを使う場合</translation>
     </message>
     <message>
-        <source>Find the start by &amp;feel</source>
-        <translation>感覚で始動点を探す(&amp;F)</translation>
-    </message>
-    <message>
         <source>Plays weaker and stronger bursts; you say what you felt</source>
         <translation>弱くなったり強くなったりするバースト。感じたかどうかを答えます</translation>
     </message>
@@ -17974,6 +17990,26 @@ Run teleta-site --help for more.
     <message>
         <source>In files</source>
         <translation>ファイルで</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>リセット(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Measure all si&amp;x</source>
+        <translation>6個すべて測定(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd the start by feel</source>
+        <translation>感覚で始動点を探す(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Balance b&amp;y feel</source>
+        <translation>感覚で均一化(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Balance by the c&amp;urves</source>
+        <translation>曲線で均一化(&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -18035,10 +18071,6 @@ Run teleta-site --help for more.
         <translation>この検出器は使用できません: %1</translation>
     </message>
     <message>
-        <source>&amp;Finder</source>
-        <translation>検出器(&amp;F)</translation>
-    </message>
-    <message>
         <source>Finder</source>
         <translation>検出器</translation>
     </message>
@@ -18049,10 +18081,6 @@ Run teleta-site --help for more.
     <message>
         <source>Show how far the pattern on the skin has moved</source>
         <translation>皮膚の模様がどれだけ動いたかを表示します</translation>
-    </message>
-    <message>
-        <source>New &amp;reference</source>
-        <translation>新しい基準(&amp;R)</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -18113,6 +18141,14 @@ Run teleta-site --help for more.
     <message>
         <source>Freeze the picture; contacts are still tracked (Space)</source>
         <translation>この画像を保持します。接触の追跡は続きます (Space)</translation>
+    </message>
+    <message>
+        <source>F&amp;inder</source>
+        <translation>検出器(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;New reference</source>
+        <translation>新しい基準(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -18368,16 +18404,16 @@ Run teleta-site --help for more.
         <translation>矢印が変位の何倍の長さか</translation>
     </message>
     <message>
-        <source>New &amp;rest</source>
-        <translation>静止を取り直す(&amp;R)</translation>
-    </message>
-    <message>
         <source>Take the next pictures as the gel at rest: nothing may touch it</source>
         <translation>次の画像をゲルの静止状態とする。何もゲルに触れないこと</translation>
     </message>
     <message>
         <source>Freeze the picture; markers are still followed (Space)</source>
         <translation>画像を止める。マーカーの追跡は続く（スペース）</translation>
+    </message>
+    <message>
+        <source>&amp;New rest</source>
+        <translation>静止を取り直す(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -19295,6 +19331,14 @@ Run teleta-site --help for more.
         <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
         <translation>Modbusモータードライバーのレジスター、USBブレスレットのID、またはサウンドカードの出力を記述したファイル</translation>
     </message>
+    <message>
+        <source>Measure its &amp;latency…</source>
+        <translation>遅延を測定(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>From a frame to the movement of a tactor, for a bracelet on a sound card</source>
+        <translation>フレームからタクタの動きまで（サウンドカードのブレスレット）</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -19760,10 +19804,6 @@ Run teleta-site --help for more.
         <translation>現在の1フレームの時間</translation>
     </message>
     <message>
-        <source>Time &amp;budget of a frame</source>
-        <translation>1フレームの時間予算(&amp;B)</translation>
-    </message>
-    <message>
         <source> ms a frame</source>
         <translation> ms/フレーム</translation>
     </message>
@@ -19829,10 +19869,6 @@ Run teleta-site --help for more.
         <translation>速く、または正確に行える処理</translation>
     </message>
     <message>
-        <source>Measure &amp;all jobs</source>
-        <translation>すべての処理を測定(&amp;A)</translation>
-    </message>
-    <message>
         <source>Measure this job</source>
         <translation>この処理を測定</translation>
     </message>
@@ -19876,6 +19912,14 @@ Run teleta-site --help for more.
     <message>
         <source>&amp;Measure again</source>
         <translation>もう一度測定(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Measure all &amp;jobs</source>
+        <translation>すべての処理を測定(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Time budget of a frame</source>
+        <translation>1フレームの時間予算(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -20327,6 +20371,30 @@ Run teleta-site --help for more.
         <source>0.2 N, or one count</source>
         <translation>0.2 Nまたは1カウント</translation>
     </message>
+    <message>
+        <source>only for taxels off a grid, or with three components</source>
+        <translation>格子上にない、または3成分のタクセルの場合のみ</translation>
+    </message>
+    <message>
+        <source>The device file of the array, or a file with its table [layout]: it says where the taxels are. Rows, columns and pitch are not needed then.</source>
+        <translation>アレイの機器ファイル、またはその[layout]の表があるファイル。タクセルの位置を示します。行、列、ピッチは不要になります。</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>File of the &amp;array:</source>
+        <translation>アレイのファイル(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>File of the array</source>
+        <translation>アレイのファイル</translation>
+    </message>
+    <message>
+        <source>Arrays (*.toml)</source>
+        <translation>アレイ (*.toml)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FramePreview</name>
@@ -20503,6 +20571,62 @@ Run teleta-site --help for more.
     <message>
         <source>The arm reports joints that its description does not have: %1.</source>
         <translation>アームの記述にない関節が報告されています: %1。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LatencyDialog</name>
+    <message>
+        <source>Latency of the bracelet</source>
+        <translation>ブレスレットの遅延</translation>
+    </message>
+    <message>
+        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
+        <translation>タクタ1でクリックを10回再生し、サウンドカードの入力で聞き取ります。加速度計をタクタに固定するか、その出力から入力へケーブルをつないでください。中央値はデバイスファイルに保存され、実験は刺激が感じられた時点から数えます。</translation>
+    </message>
+    <message>
+        <source>&amp;Input:</source>
+        <translation>入力(&amp;I):</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>再検索(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Save in the device file</source>
+        <translation>デバイスファイルに保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The sound server has no input.</source>
+        <translation>サウンドサーバに入力がありません。</translation>
+    </message>
+    <message>
+        <source>S&amp;top measuring</source>
+        <translation>測定を停止(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>測定(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Clicks are played. Leave the tactor and the input alone.</source>
+        <translation>クリックを再生中です。タクタと入力に触れないでください。</translation>
+    </message>
+    <message>
+        <source>Median %1 ms, spread %2 ms from the shortest to the longest.</source>
+        <translation>中央値 %1 ms、最短から最長までの幅 %2 ms。</translation>
+    </message>
+    <message>
+        <source>It is saved in %1.</source>
+        <comment>a file</comment>
+        <translation>%1 に保存されました。</translation>
+    </message>
+    <message>
+        <source>The device file says %1 ms, as measured before.</source>
+        <translation>デバイスファイルでは %1 ms です（以前の測定）。</translation>
+    </message>
+    <message>
+        <source>Not measured yet. The sound server states at most %1 ms.</source>
+        <translation>まだ測定されていません。サウンドサーバの申告は最大 %1 ms です。</translation>
     </message>
 </context>
 <context>
@@ -20937,14 +21061,6 @@ Run teleta-site --help for more.
         <translation>カメラに見えているもの</translation>
     </message>
     <message>
-        <source>&amp;Back</source>
-        <translation>戻る(&amp;B)</translation>
-    </message>
-    <message>
-        <source>S&amp;kip</source>
-        <translation>スキップ(&amp;K)</translation>
-    </message>
-    <message>
         <source>Sto&amp;p probing</source>
         <translation>プロービングを停止(&amp;P)</translation>
     </message>
@@ -20987,6 +21103,14 @@ Run teleta-site --help for more.
     <message>
         <source>Keep the pairs collected so far</source>
         <translation>これまでに収集した分を残します</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>戻る(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Sk&amp;ip</source>
+        <translation>スキップ(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -21838,12 +21962,12 @@ Run teleta-site --help for more.
         <translation>点のz (チューブの軸方向)</translation>
     </message>
     <message>
-        <source>&amp;Add pair</source>
-        <translation>ペアを追加(&amp;A)</translation>
-    </message>
-    <message>
         <source>Add this pair (Enter)</source>
         <translation>このペアを追加します (Enter)</translation>
+    </message>
+    <message>
+        <source>A&amp;dd pair</source>
+        <translation>ペアを追加(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -22043,10 +22167,6 @@ Run teleta-site --help for more.
         <translation>データを保存(&amp;T)…</translation>
     </message>
     <message>
-        <source>&amp;Add a recording…</source>
-        <translation>記録を追加(&amp;A)…</translation>
-    </message>
-    <message>
         <source>Plot a recording as a whole, without playing it</source>
         <translation>記録を再生せずに全体をプロットします</translation>
     </message>
@@ -22174,6 +22294,10 @@ Run teleta-site --help for more.
     <message>
         <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
         <translation>読み取りを中止し、これらの信号を取り除きます。Ctrl+Z でもう一度読み取ります</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a recording…</source>
+        <translation>記録を追加(&amp;D)…</translation>
     </message>
 </context>
 <context>
@@ -23295,10 +23419,6 @@ Run teleta-site --help for more.
         <translation>5種類の材料に触れるシミュレーションアーム</translation>
     </message>
     <message>
-        <source>Open &amp;recording…</source>
-        <translation>記録を開く(&amp;R)…</translation>
-    </message>
-    <message>
         <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
         <translation>このプログラムの記録かMCAP、またはアレイのフレームの記録：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
@@ -23309,6 +23429,10 @@ Run teleta-site --help for more.
     <message>
         <source>A TOML file that lists scenes and recordings</source>
         <translation>シーンと記録を列挙したTOMLファイル</translation>
+    </message>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>記録を開く(&amp;O)…</translation>
     </message>
 </context>
 <context>
@@ -23663,6 +23787,10 @@ Run teleta-site --help for more.
         <source>Results that were written before still count the participant: write them again.</source>
         <translation>以前に書き込んだ結果は、まだこの参加者を数えています。書き込み直してください。</translation>
     </message>
+    <message>
+        <source>Show it</source>
+        <translation>表示</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyPlanning</name>
@@ -23793,10 +23921,6 @@ Run teleta-site --help for more.
         <translation>スイープを開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open &amp;results…</source>
-        <translation>結果を開く(&amp;R)…</translation>
-    </message>
-    <message>
         <source>&amp;Start…</source>
         <translation>開始(&amp;S)…</translation>
     </message>
@@ -23819,6 +23943,10 @@ Run teleta-site --help for more.
     <message>
         <source>Cells with their settings and the measure</source>
         <translation>セルとその設定と測定値</translation>
+    </message>
+    <message>
+        <source>Open resu&amp;lts…</source>
+        <translation>結果を開く(&amp;L)…</translation>
     </message>
 </context>
 <context>
@@ -23876,10 +24004,6 @@ Run teleta-site --help for more.
         <translation>画像(&amp;I):</translation>
     </message>
     <message>
-        <source>&amp;Radius:</source>
-        <translation>半径(&amp;R):</translation>
-    </message>
-    <message>
         <source>Len&amp;gth:</source>
         <translation>長さ(&amp;G):</translation>
     </message>
@@ -23904,10 +24028,6 @@ Run teleta-site --help for more.
         <translation>表面の長さ (センサー座標系の z = 0 から)</translation>
     </message>
     <message>
-        <source>&amp;Hole factor:</source>
-        <translation>穴の係数(&amp;H):</translation>
-    </message>
-    <message>
         <source>Width of the image that the pixels refer to</source>
         <translation>画素が属する画像の幅</translation>
     </message>
@@ -23926,6 +24046,14 @@ Run teleta-site --help for more.
     <message>
         <source>For points that are holes of a shell: x and y times this factor lie on the elastomer (0.97 for the shell in the paper)</source>
         <translation>点はシェルの穴です。そのxとyにこの係数を掛けるとエラストマー上の点になります (論文のシェル: 0.97)</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius:</source>
+        <translation>半径(&amp;D):</translation>
+    </message>
+    <message>
+        <source>H&amp;ole factor:</source>
+        <translation>穴の係数(&amp;O):</translation>
     </message>
 </context>
 <context>
@@ -23966,10 +24094,6 @@ Run teleta-site --help for more.
         <translation>警告</translation>
     </message>
     <message>
-        <source>&amp;Fix</source>
-        <translation>修正(&amp;F)</translation>
-    </message>
-    <message>
         <source>Laws: no warning</source>
         <translation>法則: 警告なし</translation>
     </message>
@@ -23980,6 +24104,10 @@ Run teleta-site --help for more.
     <message>
         <source>Laws: %1 to review</source>
         <translation>法則: 要確認%1件</translation>
+    </message>
+    <message>
+        <source>F&amp;ix</source>
+        <translation>修正(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -24691,10 +24819,6 @@ Run teleta-site --help for more.
         <translation>課題(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Force</source>
-        <translation>力(&amp;F)</translation>
-    </message>
-    <message>
         <source>Force with which the array presses</source>
         <translation>アレイが押す力</translation>
     </message>
@@ -24801,6 +24925,10 @@ Run teleta-site --help for more.
         <source>Start the scene again (Ctrl+F5)</source>
         <translation>シーンを最初から始めます（Ctrl+F5）</translation>
     </message>
+    <message>
+        <source>F&amp;orce</source>
+        <translation>力(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -24865,14 +24993,6 @@ Run teleta-site --help for more.
         <translation>サーボ実行</translation>
     </message>
     <message>
-        <source>&amp;Add recorded run…</source>
-        <translation>記録した実行を追加(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Forget other runs</source>
-        <translation>ほかの実行を破棄(&amp;F)</translation>
-    </message>
-    <message>
         <source>Add recorded run</source>
         <translation>記録した実行を追加</translation>
     </message>
@@ -24891,6 +25011,14 @@ Run teleta-site --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>実行はまだありません。サーボの実行がここに重ねて描かれます。</translation>
+    </message>
+    <message>
+        <source>A&amp;dd recorded run…</source>
+        <translation>記録した実行を追加(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Forget &amp;other runs</source>
+        <translation>ほかの実行を破棄(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -25139,10 +25267,6 @@ Run teleta-site --help for more.
         <translation>時計のずれ：%1 s ± %2 ms</translation>
     </message>
     <message>
-        <source>Lost of %1: %2</source>
-        <translation>%1 の損失：%2</translation>
-    </message>
-    <message>
         <source>Refused: %1 (%2)</source>
         <comment>a reason and how often</comment>
         <translation>拒否：%1 (%2)</translation>
@@ -25158,6 +25282,10 @@ Run teleta-site --help for more.
     <message>
         <source>The other console shows it</source>
         <translation>相手のコンソールに表示されます</translation>
+    </message>
+    <message>
+        <source>Lost on the way, %1: %2</source>
+        <translation>途中での損失、%1：%2</translation>
     </message>
 </context>
 <context>
@@ -25455,10 +25583,6 @@ Run teleta-site --help for more.
         <translation>1条件内のばらつき(&amp;C)</translation>
     </message>
     <message>
-        <source>From a &amp;file…</source>
-        <translation>ファイルから(&amp;F)…</translation>
-    </message>
-    <message>
         <source>From this st&amp;udy</source>
         <translation>この実験から(&amp;U)</translation>
     </message>
@@ -25540,6 +25664,10 @@ Enter what you assume on the left, and choose Plan.</source>
 Enter what you assume on the left, and choose Plan.</source>
         <translation>区間が十分に狭い実験の割合がここに表示されます。
 左に仮定を入力し、「計画」を選んでください。</translation>
+    </message>
+    <message>
+        <source>Fro&amp;m a file…</source>
+        <translation>ファイルから(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -25786,10 +25914,6 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>一時停止(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Abort…</source>
-        <translation>中止(&amp;A)…</translation>
-    </message>
-    <message>
         <source>The session ends here. All answers are saved, and it can be resumed later where it stopped.</source>
         <translation>セッションはここで終了します。回答は保存され、中断した箇所から後で続行できます。</translation>
     </message>
@@ -25836,6 +25960,10 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Time</source>
         <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Ab&amp;ort…</source>
+        <translation>中止(&amp;O)…</translation>
     </message>
 </context>
 <context>
@@ -25954,20 +26082,12 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>恒常刺激: 各レベルで</translation>
     </message>
     <message>
-        <source>Th&amp;reshold</source>
-        <translation>閾値(&amp;R)</translation>
-    </message>
-    <message>
         <source>Slope (Wei&amp;bull)</source>
         <translation>傾き (Weibull)(&amp;B)</translation>
     </message>
     <message>
         <source>Spread of the fu&amp;nction</source>
         <translation>関数の広がり(&amp;N)</translation>
-    </message>
-    <message>
-        <source>L&amp;apses</source>
-        <translation>ラプス率(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Yes without a stimulus</source>
@@ -25980,6 +26100,14 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Trials of a trac&amp;k</source>
         <translation>トラックの試行数(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Threshold</source>
+        <translation>閾値(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Lapses</source>
+        <translation>ラプス率(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -26023,24 +26151,12 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>生の値1単位あたりの荷重</translation>
     </message>
     <message>
-        <source>Values &amp;fall under load</source>
-        <translation>荷重がかかると値が下がる(&amp;F)</translation>
-    </message>
-    <message>
         <source>For arrays whose raw values are highest when nothing touches them</source>
         <translation>何も触れていないときに生の値が最大になるアレイ用</translation>
     </message>
     <message>
-        <source>T&amp;hreshold:</source>
-        <translation>しきい値(&amp;H):</translation>
-    </message>
-    <message>
         <source>A taxel is in contact from this load on</source>
         <translation>タクセルはこの荷重から接触とみなされます</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic threshold</source>
-        <translation>自動しきい値(&amp;A)</translation>
     </message>
     <message>
         <source>Finds the lowest useful threshold in each frame; the value above is its lower bound</source>
@@ -26065,10 +26181,6 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Which taxels the principal axis is computed from</source>
         <translation>主軸の計算に使うタクセル</translation>
-    </message>
-    <message>
-        <source>&amp;Force over:</source>
-        <translation>力の範囲(&amp;F):</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -26138,6 +26250,22 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Reset everything but the tare and the taxel gains</source>
         <translation>ゼロ点とタクセルのゲイン以外をすべて既定値に戻します</translation>
+    </message>
+    <message>
+        <source>Values fall under load</source>
+        <translation>荷重がかかると値が下がる</translation>
+    </message>
+    <message>
+        <source>Thresho&amp;ld:</source>
+        <translation>しきい値(&amp;L):</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic threshold</source>
+        <translation>自動しきい値(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Force over:</source>
+        <translation>力の範囲:</translation>
     </message>
 </context>
 <context>
@@ -26306,16 +26434,8 @@ Double-click to type the upper end.</source>
         <translation>&lt;p&gt;アームを手動で動かします。Shiftまたは幅広のボタンを、方向と同時に押している間だけ動きます。どちらかを離すと停止します。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>実行(&amp;R)</translation>
-    </message>
-    <message>
         <source>Let the arm&apos;s program go on</source>
         <translation>アームのプログラムを続行します</translation>
-    </message>
-    <message>
-        <source>&amp;Hold</source>
-        <translation>保持(&amp;H)</translation>
     </message>
     <message>
         <source>Hold the arm where it is</source>
@@ -26493,6 +26613,14 @@ Double-click to type the upper end.</source>
         <source>Speed and effort of %1, as the arm reports them</source>
         <translation>%1 の速度とトルク・力 (アームの報告値)</translation>
     </message>
+    <message>
+        <source>R&amp;un</source>
+        <translation>実行(&amp;U)</translation>
+    </message>
+    <message>
+        <source>H&amp;old</source>
+        <translation>保持(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -26553,10 +26681,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>&amp;Undo</source>
         <translation>元に戻す(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>やり直す(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Defaults</source>
@@ -26641,6 +26765,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>Kind</source>
         <translation>種類</translation>
+    </message>
+    <message>
+        <source>Red&amp;o</source>
+        <translation>やり直す(&amp;O)</translation>
     </message>
 </context>
 <context>

@@ -3192,10 +3192,6 @@ Examples:
         <translation>真实轮廓（圆、矩形、弯曲型材）与曲线的距离</translation>
     </message>
     <message>
-        <source>A frame of the scene &quot;tactile-indenter&quot; without one of its effects</source>
-        <translation>去掉一种效应的“tactile-indenter”场景的一帧</translation>
-    </message>
-    <message>
         <source>difference of a taxel from the scene with all effects, root mean square of a frame</source>
         <translation>触觉单元与含全部效应的场景之差，按帧取均方根</translation>
     </message>
@@ -3270,6 +3266,10 @@ Examples:
     <message>
         <source>distance of each body from the nearest contact of its patch, and of each contact from the nearest body; from the patch&apos;s middle where there is none</source>
         <translation>每个物体到其皮肤片上最近接触的距离，以及每个接触到最近物体的距离；没有时取到皮肤片中央的距离</translation>
+    </message>
+    <message>
+        <source>A frame of a simulated array without one of the sensor&apos;s effects</source>
+        <translation>仿真阵列去掉一种传感器效应后的一帧</translation>
     </message>
 </context>
 <context>
@@ -11785,6 +11785,23 @@ Run teleta-site --help for more.
         <source>an accelerometer at tactor 1, or a cable from its output to this input</source>
         <translation>致动器 1 上的加速度计，或从其输出到此输入的电缆</translation>
     </message>
+    <message>
+        <source>The measurement was ended.</source>
+        <translation>测量已中止。</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLatencyFile</name>
+    <message>
+        <source>The latency cannot be written into %1.</source>
+        <translation>无法把延迟写入 %1。</translation>
+    </message>
+    <message>
+        <source>these lines in the file, written by hand:
+%1</source>
+        <translation>请手动在文件中写入以下各行：
+%1</translation>
+    </message>
 </context>
 <context>
     <name>SourceText</name>
@@ -17064,10 +17081,6 @@ Run teleta-site --help for more.
         <translation>任务(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Force</source>
-        <translation>力(&amp;F)</translation>
-    </message>
-    <message>
         <source>Force with which the pad presses</source>
         <translation>触觉垫按压的力</translation>
     </message>
@@ -17078,6 +17091,10 @@ Run teleta-site --help for more.
     <message>
         <source>Dead-man switch: the task runs only while this button or Space is held</source>
         <translation>使能开关：只有按住此按钮或空格键时任务才运行</translation>
+    </message>
+    <message>
+        <source>F&amp;orce</source>
+        <translation>力(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -17367,20 +17384,12 @@ Run teleta-site --help for more.
         <translation>加载(&amp;L)…</translation>
     </message>
     <message>
-        <source>&amp;Reset</source>
-        <translation>重置(&amp;R)</translation>
-    </message>
-    <message>
         <source>Use no gains and forget all presses</source>
         <translation>不使用增益并清除所有按压</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
         <translation>保存(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>&amp;Tare now</source>
-        <translation>立即去皮(&amp;T)</translation>
     </message>
     <message>
         <source>Takes the mean of the next half second as the unloaded state. Nothing may touch the array.</source>
@@ -17477,6 +17486,33 @@ Run teleta-site --help for more.
     <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
         <translation>红色触觉单元感受偏小而被调高，蓝色触觉单元被调低，带斜线的不使用。用方向键或鼠标读取单个触觉单元。</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>重置(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tare &amp;now</source>
+        <translation>立即去皮(&amp;N)</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::calibrate::LatencyChart</name>
+    <message>
+        <source>click</source>
+        <translation>咔嗒声</translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation>延迟</translation>
+    </message>
+    <message>
+        <source>Latency of the clicks: none was heard yet</source>
+        <translation>咔嗒声的延迟：尚未听到</translation>
+    </message>
+    <message>
+        <source>Latency of the clicks: %1 ms</source>
+        <translation>咔嗒声的延迟：%1 ms</translation>
     </message>
 </context>
 <context>
@@ -17824,20 +17860,12 @@ Run teleta-site --help for more.
         <translation>保存副本(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Reset</source>
-        <translation>重置(&amp;R)</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Measure this motor</source>
         <translation>测量此电机(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Measure &amp;all six</source>
-        <translation>测量全部六个(&amp;A)</translation>
     </message>
     <message>
         <source>One after another, with the bracelet&apos;s sensor</source>
@@ -17848,16 +17876,8 @@ Run teleta-site --help for more.
         <translation>打开记录(&amp;O)…</translation>
     </message>
     <message>
-        <source>&amp;Balance by feel</source>
-        <translation>凭感觉平衡(&amp;B)</translation>
-    </message>
-    <message>
         <source>Compare the strength of each motor with that of motor 1</source>
         <translation>将各电机的强度与电机 1 比较</translation>
-    </message>
-    <message>
-        <source>Balance by the cur&amp;ves</source>
-        <translation>按曲线平衡(&amp;V)</translation>
     </message>
     <message>
         <source>Stop measuring</source>
@@ -17928,10 +17948,6 @@ Run teleta-site --help for more.
         <translation>测量期间给电机的指令，存为 CSV：用于您自备的传感器</translation>
     </message>
     <message>
-        <source>Find the start by &amp;feel</source>
-        <translation>凭感觉找启动点(&amp;F)</translation>
-    </message>
-    <message>
         <source>Plays weaker and stronger bursts; you say what you felt</source>
         <translation>逐渐变弱和变强的短振；由您说明感觉</translation>
     </message>
@@ -17974,6 +17990,26 @@ Run teleta-site --help for more.
     <message>
         <source>In files</source>
         <translation>用文件</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>重置(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Measure all si&amp;x</source>
+        <translation>测量全部六个(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd the start by feel</source>
+        <translation>凭感觉找启动点(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Balance b&amp;y feel</source>
+        <translation>凭感觉平衡(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Balance by the c&amp;urves</source>
+        <translation>按曲线平衡(&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -18035,10 +18071,6 @@ Run teleta-site --help for more.
         <translation>此检测器无法使用：%1</translation>
     </message>
     <message>
-        <source>&amp;Finder</source>
-        <translation>检测器(&amp;F)</translation>
-    </message>
-    <message>
         <source>Finder</source>
         <translation>检测器</translation>
     </message>
@@ -18049,10 +18081,6 @@ Run teleta-site --help for more.
     <message>
         <source>Show how far the pattern on the skin has moved</source>
         <translation>显示皮肤上的花纹移动了多远</translation>
-    </message>
-    <message>
-        <source>New &amp;reference</source>
-        <translation>新参考(&amp;R)</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
@@ -18113,6 +18141,14 @@ Run teleta-site --help for more.
     <message>
         <source>Freeze the picture; contacts are still tracked (Space)</source>
         <translation>冻结此图像；接触仍继续跟踪（空格键）</translation>
+    </message>
+    <message>
+        <source>F&amp;inder</source>
+        <translation>检测器(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;New reference</source>
+        <translation>新参考(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -18368,16 +18404,16 @@ Run teleta-site --help for more.
         <translation>箭头长度是位移的多少倍</translation>
     </message>
     <message>
-        <source>New &amp;rest</source>
-        <translation>重新取静止(&amp;R)</translation>
-    </message>
-    <message>
         <source>Take the next pictures as the gel at rest: nothing may touch it</source>
         <translation>把接下来的图像作为凝胶的静止状态：不得有物体接触凝胶</translation>
     </message>
     <message>
         <source>Freeze the picture; markers are still followed (Space)</source>
         <translation>冻结画面；仍继续跟踪标记（空格）</translation>
+    </message>
+    <message>
+        <source>&amp;New rest</source>
+        <translation>重新取静止(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -19295,6 +19331,14 @@ Run teleta-site --help for more.
         <source>A file that describes the registers of a Modbus motor driver, the ids of a USB bracelet, or the outputs of a sound card</source>
         <translation>描述 Modbus 电机驱动器的寄存器、USB 手环的标识号或声卡输出的文件</translation>
     </message>
+    <message>
+        <source>Measure its &amp;latency…</source>
+        <translation>测量其延迟(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>From a frame to the movement of a tactor, for a bracelet on a sound card</source>
+        <translation>从一帧到振子的动作，用于声卡上的手环</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CalibratePage</name>
@@ -19760,10 +19804,6 @@ Run teleta-site --help for more.
         <translation>当前每帧用时</translation>
     </message>
     <message>
-        <source>Time &amp;budget of a frame</source>
-        <translation>每帧时间预算(&amp;B)</translation>
-    </message>
-    <message>
         <source> ms a frame</source>
         <translation> ms/帧</translation>
     </message>
@@ -19829,10 +19869,6 @@ Run teleta-site --help for more.
         <translation>可快速或精确完成的任务</translation>
     </message>
     <message>
-        <source>Measure &amp;all jobs</source>
-        <translation>测量所有任务(&amp;A)</translation>
-    </message>
-    <message>
         <source>Measure this job</source>
         <translation>测量此任务</translation>
     </message>
@@ -19876,6 +19912,14 @@ Run teleta-site --help for more.
     <message>
         <source>&amp;Measure again</source>
         <translation>重新测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Measure all &amp;jobs</source>
+        <translation>测量所有任务(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Time budget of a frame</source>
+        <translation>每帧时间预算(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -20327,6 +20371,30 @@ Run teleta-site --help for more.
         <source>0.2 N, or one count</source>
         <translation>0.2 N 或一个计数</translation>
     </message>
+    <message>
+        <source>only for taxels off a grid, or with three components</source>
+        <translation>仅用于不在网格上或有三个分量的触觉单元</translation>
+    </message>
+    <message>
+        <source>The device file of the array, or a file with its table [layout]: it says where the taxels are. Rows, columns and pitch are not needed then.</source>
+        <translation>阵列的设备文件，或含有其 [layout] 表的文件：说明触觉单元的位置。此时不需要行、列和间距。</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>File of the &amp;array:</source>
+        <translation>阵列的文件(&amp;A)：</translation>
+    </message>
+    <message>
+        <source>File of the array</source>
+        <translation>阵列的文件</translation>
+    </message>
+    <message>
+        <source>Arrays (*.toml)</source>
+        <translation>阵列 (*.toml)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::FramePreview</name>
@@ -20503,6 +20571,62 @@ Run teleta-site --help for more.
     <message>
         <source>The arm reports joints that its description does not have: %1.</source>
         <translation>机械臂报告了其描述中没有的关节：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::LatencyDialog</name>
+    <message>
+        <source>Latency of the bracelet</source>
+        <translation>手环的延迟</translation>
+    </message>
+    <message>
+        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
+        <translation>在振子1上播放十次咔嗒声，并在声卡的一个输入端听取：把加速度计固定在振子上，或用电缆把其输出接到该输入。中位数保存在设备文件中，实验从感觉到刺激的时刻开始计时。</translation>
+    </message>
+    <message>
+        <source>&amp;Input:</source>
+        <translation>输入(&amp;I)：</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>重新查找(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Save in the device file</source>
+        <translation>保存到设备文件(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The sound server has no input.</source>
+        <translation>声音服务器没有输入。</translation>
+    </message>
+    <message>
+        <source>S&amp;top measuring</source>
+        <translation>停止测量(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Clicks are played. Leave the tactor and the input alone.</source>
+        <translation>正在播放咔嗒声。请勿触碰振子和输入。</translation>
+    </message>
+    <message>
+        <source>Median %1 ms, spread %2 ms from the shortest to the longest.</source>
+        <translation>中位数 %1 ms，从最短到最长相差 %2 ms。</translation>
+    </message>
+    <message>
+        <source>It is saved in %1.</source>
+        <comment>a file</comment>
+        <translation>已保存在 %1 中。</translation>
+    </message>
+    <message>
+        <source>The device file says %1 ms, as measured before.</source>
+        <translation>设备文件中为 %1 ms（先前测得）。</translation>
+    </message>
+    <message>
+        <source>Not measured yet. The sound server states at most %1 ms.</source>
+        <translation>尚未测量。声音服务器声称最多 %1 ms。</translation>
     </message>
 </context>
 <context>
@@ -20937,14 +21061,6 @@ Run teleta-site --help for more.
         <translation>相机所见</translation>
     </message>
     <message>
-        <source>&amp;Back</source>
-        <translation>返回(&amp;B)</translation>
-    </message>
-    <message>
-        <source>S&amp;kip</source>
-        <translation>跳过(&amp;K)</translation>
-    </message>
-    <message>
         <source>Sto&amp;p probing</source>
         <translation>停止探测(&amp;P)</translation>
     </message>
@@ -20987,6 +21103,14 @@ Run teleta-site --help for more.
     <message>
         <source>Keep the pairs collected so far</source>
         <translation>保留目前采集的内容</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>返回(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Sk&amp;ip</source>
+        <translation>跳过(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -21838,12 +21962,12 @@ Run teleta-site --help for more.
         <translation>点的 z，沿管方向</translation>
     </message>
     <message>
-        <source>&amp;Add pair</source>
-        <translation>添加点对(&amp;A)</translation>
-    </message>
-    <message>
         <source>Add this pair (Enter)</source>
         <translation>加入此点对 (Enter)</translation>
+    </message>
+    <message>
+        <source>A&amp;dd pair</source>
+        <translation>添加点对(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -22043,10 +22167,6 @@ Run teleta-site --help for more.
         <translation>保存数据(&amp;T)…</translation>
     </message>
     <message>
-        <source>&amp;Add a recording…</source>
-        <translation>添加记录(&amp;A)…</translation>
-    </message>
-    <message>
         <source>Plot a recording as a whole, without playing it</source>
         <translation>绘制整个记录，而不回放它</translation>
     </message>
@@ -22174,6 +22294,10 @@ Run teleta-site --help for more.
     <message>
         <source>Stop reading and remove these signals; Ctrl+Z reads them again</source>
         <translation>停止读取并移除这些信号；Ctrl+Z 可重新读取</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a recording…</source>
+        <translation>添加记录(&amp;D)…</translation>
     </message>
 </context>
 <context>
@@ -23295,10 +23419,6 @@ Run teleta-site --help for more.
         <translation>触碰五种材料的模拟机械臂</translation>
     </message>
     <message>
-        <source>Open &amp;recording…</source>
-        <translation>打开记录(&amp;R)…</translation>
-    </message>
-    <message>
         <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
         <translation>本程序的记录或 MCAP，或阵列的帧记录：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
     </message>
@@ -23309,6 +23429,10 @@ Run teleta-site --help for more.
     <message>
         <source>A TOML file that lists scenes and recordings</source>
         <translation>列出场景和记录的 TOML 文件</translation>
+    </message>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>打开记录(&amp;O)…</translation>
     </message>
 </context>
 <context>
@@ -23663,6 +23787,10 @@ Run teleta-site --help for more.
         <source>Results that were written before still count the participant: write them again.</source>
         <translation>以前写出的结果仍包含该被试：请重新写出。</translation>
     </message>
+    <message>
+        <source>Show it</source>
+        <translation>显示</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::StudyPlanning</name>
@@ -23793,10 +23921,6 @@ Run teleta-site --help for more.
         <translation>打开扫描(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open &amp;results…</source>
-        <translation>打开结果(&amp;R)…</translation>
-    </message>
-    <message>
         <source>&amp;Start…</source>
         <translation>开始(&amp;S)…</translation>
     </message>
@@ -23819,6 +23943,10 @@ Run teleta-site --help for more.
     <message>
         <source>Cells with their settings and the measure</source>
         <translation>单元及其设置和测量值</translation>
+    </message>
+    <message>
+        <source>Open resu&amp;lts…</source>
+        <translation>打开结果(&amp;L)…</translation>
     </message>
 </context>
 <context>
@@ -23876,10 +24004,6 @@ Run teleta-site --help for more.
         <translation>图像(&amp;I)：</translation>
     </message>
     <message>
-        <source>&amp;Radius:</source>
-        <translation>半径(&amp;R)：</translation>
-    </message>
-    <message>
         <source>Len&amp;gth:</source>
         <translation>长度(&amp;G)：</translation>
     </message>
@@ -23904,10 +24028,6 @@ Run teleta-site --help for more.
         <translation>表面的长度，自传感器坐标系 z = 0 起</translation>
     </message>
     <message>
-        <source>&amp;Hole factor:</source>
-        <translation>孔系数(&amp;H)：</translation>
-    </message>
-    <message>
         <source>Width of the image that the pixels refer to</source>
         <translation>像素所在图像的宽度</translation>
     </message>
@@ -23926,6 +24046,14 @@ Run teleta-site --help for more.
     <message>
         <source>For points that are holes of a shell: x and y times this factor lie on the elastomer (0.97 for the shell in the paper)</source>
         <translation>这些点是外壳的孔：其 x 和 y 乘以该系数即位于弹性体上（论文的外壳：0.97）</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dius:</source>
+        <translation>半径(&amp;D)：</translation>
+    </message>
+    <message>
+        <source>H&amp;ole factor:</source>
+        <translation>孔系数(&amp;O)：</translation>
     </message>
 </context>
 <context>
@@ -23966,10 +24094,6 @@ Run teleta-site --help for more.
         <translation>警告</translation>
     </message>
     <message>
-        <source>&amp;Fix</source>
-        <translation>修正(&amp;F)</translation>
-    </message>
-    <message>
         <source>Laws: no warning</source>
         <translation>规律：无警告</translation>
     </message>
@@ -23980,6 +24104,10 @@ Run teleta-site --help for more.
     <message>
         <source>Laws: %1 to review</source>
         <translation>规律：%1 项待查看</translation>
+    </message>
+    <message>
+        <source>F&amp;ix</source>
+        <translation>修正(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -24691,10 +24819,6 @@ Run teleta-site --help for more.
         <translation>任务(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Force</source>
-        <translation>力(&amp;F)</translation>
-    </message>
-    <message>
         <source>Force with which the array presses</source>
         <translation>阵列按压的力</translation>
     </message>
@@ -24801,6 +24925,10 @@ Run teleta-site --help for more.
         <source>Start the scene again (Ctrl+F5)</source>
         <translation>重新开始场景（Ctrl+F5）</translation>
     </message>
+    <message>
+        <source>F&amp;orce</source>
+        <translation>力(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::servo::ServoPicture</name>
@@ -24865,14 +24993,6 @@ Run teleta-site --help for more.
         <translation>伺服运行</translation>
     </message>
     <message>
-        <source>&amp;Add recorded run…</source>
-        <translation>添加记录的运行(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Forget other runs</source>
-        <translation>清除其他运行(&amp;F)</translation>
-    </message>
-    <message>
         <source>Add recorded run</source>
         <translation>添加记录的运行</translation>
     </message>
@@ -24891,6 +25011,14 @@ Run teleta-site --help for more.
     <message>
         <source>No runs yet. Servo runs are drawn here on top of each other.</source>
         <translation>尚无运行。伺服运行将叠加绘制于此。</translation>
+    </message>
+    <message>
+        <source>A&amp;dd recorded run…</source>
+        <translation>添加记录的运行(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Forget &amp;other runs</source>
+        <translation>清除其他运行(&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -25139,10 +25267,6 @@ Run teleta-site --help for more.
         <translation>时钟偏移：%1 s ± %2 ms</translation>
     </message>
     <message>
-        <source>Lost of %1: %2</source>
-        <translation>%1 丢失：%2</translation>
-    </message>
-    <message>
         <source>Refused: %1 (%2)</source>
         <comment>a reason and how often</comment>
         <translation>被拒绝：%1（%2）</translation>
@@ -25158,6 +25282,10 @@ Run teleta-site --help for more.
     <message>
         <source>The other console shows it</source>
         <translation>对方控制台会显示它</translation>
+    </message>
+    <message>
+        <source>Lost on the way, %1: %2</source>
+        <translation>途中丢失，%1：%2</translation>
     </message>
 </context>
 <context>
@@ -25455,10 +25583,6 @@ Run teleta-site --help for more.
         <translation>单个条件下的离散度(&amp;C)</translation>
     </message>
     <message>
-        <source>From a &amp;file…</source>
-        <translation>来自文件(&amp;F)…</translation>
-    </message>
-    <message>
         <source>From this st&amp;udy</source>
         <translation>来自此研究(&amp;U)</translation>
     </message>
@@ -25540,6 +25664,10 @@ Enter what you assume on the left, and choose Plan.</source>
 Enter what you assume on the left, and choose Plan.</source>
         <translation>这里将显示区间足够窄的研究所占的比例。
 请在左侧输入假设，然后选择“规划”。</translation>
+    </message>
+    <message>
+        <source>Fro&amp;m a file…</source>
+        <translation>来自文件(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -25786,10 +25914,6 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>暂停(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Abort…</source>
-        <translation>中止(&amp;A)…</translation>
-    </message>
-    <message>
         <source>The session ends here. All answers are saved, and it can be resumed later where it stopped.</source>
         <translation>场次在此结束。已有的回答均会保留，以后可从停止处继续此场次。</translation>
     </message>
@@ -25836,6 +25960,10 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Time</source>
         <translation>时间</translation>
+    </message>
+    <message>
+        <source>Ab&amp;ort…</source>
+        <translation>中止(&amp;O)…</translation>
     </message>
 </context>
 <context>
@@ -25954,20 +26082,12 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>恒定刺激：每个水平</translation>
     </message>
     <message>
-        <source>Th&amp;reshold</source>
-        <translation>阈值(&amp;R)</translation>
-    </message>
-    <message>
         <source>Slope (Wei&amp;bull)</source>
         <translation>斜率 (Weibull)(&amp;B)</translation>
     </message>
     <message>
         <source>Spread of the fu&amp;nction</source>
         <translation>函数的展宽(&amp;N)</translation>
-    </message>
-    <message>
-        <source>L&amp;apses</source>
-        <translation>失误率(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Yes without a stimulus</source>
@@ -25980,6 +26100,14 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Trials of a trac&amp;k</source>
         <translation>一条轨迹的试次数(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Threshold</source>
+        <translation>阈值(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Lapses</source>
+        <translation>失误率(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -26023,24 +26151,12 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>每原始单位的载荷</translation>
     </message>
     <message>
-        <source>Values &amp;fall under load</source>
-        <translation>数值随载荷增大而下降(&amp;F)</translation>
-    </message>
-    <message>
         <source>For arrays whose raw values are highest when nothing touches them</source>
         <translation>用于无接触时原始值最高的阵列</translation>
     </message>
     <message>
-        <source>T&amp;hreshold:</source>
-        <translation>阈值(&amp;H)：</translation>
-    </message>
-    <message>
         <source>A taxel is in contact from this load on</source>
         <translation>触觉单元从此载荷起视为接触</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic threshold</source>
-        <translation>自动阈值(&amp;A)</translation>
     </message>
     <message>
         <source>Finds the lowest useful threshold in each frame; the value above is its lower bound</source>
@@ -26065,10 +26181,6 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Which taxels the principal axis is computed from</source>
         <translation>由哪些触觉单元计算主轴</translation>
-    </message>
-    <message>
-        <source>&amp;Force over:</source>
-        <translation>力的范围(&amp;F)：</translation>
     </message>
     <message>
         <source>whole image</source>
@@ -26138,6 +26250,22 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Reset everything but the tare and the taxel gains</source>
         <translation>除去皮和触觉单元增益外全部恢复默认值</translation>
+    </message>
+    <message>
+        <source>Values fall under load</source>
+        <translation>数值随载荷增大而下降</translation>
+    </message>
+    <message>
+        <source>Thresho&amp;ld:</source>
+        <translation>阈值(&amp;L)：</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic threshold</source>
+        <translation>自动阈值(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Force over:</source>
+        <translation>力的范围：</translation>
     </message>
 </context>
 <context>
@@ -26306,16 +26434,8 @@ Double-click to type the upper end.</source>
         <translation>&lt;p&gt;手动移动机械臂。仅当您按住 Shift 或宽按钮，同时按住一个方向时才会移动。松开其中任何一个，机械臂即静止。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>运行(&amp;R)</translation>
-    </message>
-    <message>
         <source>Let the arm&apos;s program go on</source>
         <translation>让机械臂的程序继续</translation>
-    </message>
-    <message>
-        <source>&amp;Hold</source>
-        <translation>保持(&amp;H)</translation>
     </message>
     <message>
         <source>Hold the arm where it is</source>
@@ -26493,6 +26613,14 @@ Double-click to type the upper end.</source>
         <source>Speed and effort of %1, as the arm reports them</source>
         <translation>%1 的速度和 effort，由机械臂报告</translation>
     </message>
+    <message>
+        <source>R&amp;un</source>
+        <translation>运行(&amp;U)</translation>
+    </message>
+    <message>
+        <source>H&amp;old</source>
+        <translation>保持(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -26553,10 +26681,6 @@ Double-click to type the upper end.</source>
     <message>
         <source>&amp;Undo</source>
         <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Defaults</source>
@@ -26641,6 +26765,10 @@ Double-click to type the upper end.</source>
     <message>
         <source>Kind</source>
         <translation>种类</translation>
+    </message>
+    <message>
+        <source>Red&amp;o</source>
+        <translation>重做(&amp;O)</translation>
     </message>
 </context>
 <context>
