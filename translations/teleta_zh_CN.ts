@@ -20581,7 +20581,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
-        <translation>在振子1上播放十次咔嗒声，并在声卡的一个输入端听取：把加速度计固定在振子上，或用电缆把其输出接到该输入。中位数保存在设备文件中，实验从感觉到刺激的时刻开始计时。</translation>
+        <translation>在振子1上播放十次咔嗒声，并在声卡的一个输入端听取：把加速度计固定在振子上，或用电缆把其输出接到该输入。中位数保存在设备文件中，研究从感觉到刺激的时刻开始计时。</translation>
     </message>
     <message>
         <source>&amp;Input:</source>
