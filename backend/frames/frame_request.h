@@ -46,7 +46,7 @@ struct FrameRequest {
     /// Instead of rows, columns and pitch. Frames in the order of the layout stay as they are: those of our
     /// own tables, of arrays with positions_m beside, and of rows x columns of a grid of loads.
     std::optional<KnownArray> known{};
-    std::string knownPath{};         ///< of the file that describes known, for those who can read it
+    std::string knownPath{}; ///< of the layout file from which the caller makes `known`; not read here
     std::optional<double> pitch_m{}; ///< instead of the file's
     std::optional<double> rate_Hz{}; ///< frames per second, of files without times
     bool needsTimes = true;          ///< false: frames without times are a second apart

@@ -10,6 +10,7 @@
 #include "backend/core/data/input_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
 #include "backend/frames/rest_values.h"
+#include "devices/taxels/known_array.h"
 #include "devices/taxels/layout_file.h"
 
 #include <QCoreApplication>
@@ -155,12 +156,7 @@ core::Expected<frames::FrameRequest> ArrayOptions::request(const std::string& pa
             (!m_columns.empty() && !isRange(m_columns)))
             refuse("--layout", FrameOptionText::tr("it says rows, columns and pitch itself"));
         TELETA_TRY(taxels::LayoutFile file, taxels::readLayout(m_layoutPath));
-        taxels::TaxelGrid& grid = file.grid;
-        request.known = {.layout = grid.layout(), .numbers = grid.values(), .place{}, .unit = grid.unit()};
-        request.known->place = [grid = std::move(grid)](std::span<const float> numbers,
-                                                        std::span<float> frame) {
-            grid.place(numbers, frame);
-        };
+        request.known = taxels::knownArray(std::move(file.grid));
     }
     if (m_rowsOption->count() > 0)
         request.rows = m_rows;
