@@ -20638,7 +20638,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Latence du bracelet</translation>
     </message>
     <message>
-        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
+        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is saved in the device file, and studies then count from when a stimulus is felt.</source>
         <translation>Dix clics sont joués sur le tacteur 1 et entendus à une entrée de la carte son : fixez un accéléromètre au tacteur, ou reliez sa sortie à l&apos;entrée par un câble. La médiane est conservée dans le fichier de l&apos;appareil, et les études comptent à partir du moment où un stimulus est ressenti.</translation>
     </message>
     <message>
@@ -20666,7 +20666,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Mesurer</translation>
     </message>
     <message>
-        <source>Clicks are played. Leave the tactor and the input alone.</source>
+        <source>Playing clicks. Do not touch the tactor or the input.</source>
         <translation>Des clics sont joués. Ne touchez ni au tacteur ni à l&apos;entrée.</translation>
     </message>
     <message>
@@ -20683,7 +20683,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Le fichier de l&apos;appareil indique %1 ms, mesurés auparavant.</translation>
     </message>
     <message>
-        <source>Not measured yet. The sound server states at most %1 ms.</source>
+        <source>Not measured yet. According to the sound server it is at most %1 ms.</source>
         <translation>Pas encore mesurée. Le serveur de son annonce au plus %1 ms.</translation>
     </message>
 </context>
@@ -26325,7 +26325,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>Values fall under load</source>
-        <translation>Les &amp;valeurs diminuent sous charge</translation>
+        <translation>Les valeurs diminuent sous charge</translation>
     </message>
     <message>
         <source>Thresho&amp;ld:</source>
@@ -26337,7 +26337,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>Force over:</source>
-        <translation>For&amp;ce sur :</translation>
+        <translation>Force sur :</translation>
     </message>
 </context>
 <context>

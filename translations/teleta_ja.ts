@@ -20580,7 +20580,7 @@ Run teleta-site --help for more.
         <translation>ブレスレットの遅延</translation>
     </message>
     <message>
-        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
+        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is saved in the device file, and studies then count from when a stimulus is felt.</source>
         <translation>タクタ1でクリックを10回再生し、サウンドカードの入力で聞き取ります。加速度計をタクタに固定するか、その出力から入力へケーブルをつないでください。中央値はデバイスファイルに保存され、実験は刺激が感じられた時点から数えます。</translation>
     </message>
     <message>
@@ -20608,7 +20608,7 @@ Run teleta-site --help for more.
         <translation>測定(&amp;M)</translation>
     </message>
     <message>
-        <source>Clicks are played. Leave the tactor and the input alone.</source>
+        <source>Playing clicks. Do not touch the tactor or the input.</source>
         <translation>クリックを再生中です。タクタと入力に触れないでください。</translation>
     </message>
     <message>
@@ -20625,7 +20625,7 @@ Run teleta-site --help for more.
         <translation>デバイスファイルでは %1 ms です（以前の測定）。</translation>
     </message>
     <message>
-        <source>Not measured yet. The sound server states at most %1 ms.</source>
+        <source>Not measured yet. According to the sound server it is at most %1 ms.</source>
         <translation>まだ測定されていません。サウンドサーバの申告は最大 %1 ms です。</translation>
     </message>
 </context>

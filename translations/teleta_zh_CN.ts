@@ -20580,7 +20580,7 @@ Run teleta-site --help for more.
         <translation>手环的延迟</translation>
     </message>
     <message>
-        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is kept in the device file, and studies count from when a stimulus is felt.</source>
+        <source>Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer to the tactor, or lead a cable from its output to the input. The median is saved in the device file, and studies then count from when a stimulus is felt.</source>
         <translation>在振子1上播放十次咔嗒声，并在声卡的一个输入端听取：把加速度计固定在振子上，或用电缆把其输出接到该输入。中位数保存在设备文件中，研究从感觉到刺激的时刻开始计时。</translation>
     </message>
     <message>
@@ -20608,7 +20608,7 @@ Run teleta-site --help for more.
         <translation>测量(&amp;M)</translation>
     </message>
     <message>
-        <source>Clicks are played. Leave the tactor and the input alone.</source>
+        <source>Playing clicks. Do not touch the tactor or the input.</source>
         <translation>正在播放咔嗒声。请勿触碰振子和输入。</translation>
     </message>
     <message>
@@ -20625,7 +20625,7 @@ Run teleta-site --help for more.
         <translation>设备文件中为 %1 ms（先前测得）。</translation>
     </message>
     <message>
-        <source>Not measured yet. The sound server states at most %1 ms.</source>
+        <source>Not measured yet. According to the sound server it is at most %1 ms.</source>
         <translation>尚未测量。声音服务器声称最多 %1 ms。</translation>
     </message>
 </context>

@@ -17,11 +17,9 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -50,8 +48,7 @@ LatencyDialog::LatencyDialog(BraceletService& station, QWidget* parent)
     , m_result(base::named<QLabel>("result"))
     , m_trouble(base::named<QLabel>("trouble"))
     , m_measure(base::named<QPushButton>("measure"))
-    , m_save(base::named<QPushButton>("save"))
-    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Close)) {
+    , m_save(base::named<QPushButton>("save")) {
     m_inputName->setBuddy(m_input);
     m_input->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_input->setMinimumContentsLength(24);
@@ -61,7 +58,8 @@ LatencyDialog::LatencyDialog(BraceletService& station, QWidget* parent)
         text->setWordWrap(true);
         text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
-    m_buttons->addButton(m_save, QDialogButtonBox::ActionRole);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->addButton(m_save, QDialogButtonBox::ActionRole);
     m_measure->setDefault(true);
     auto* where = new QHBoxLayout;
     where->addWidget(m_inputName);
@@ -77,10 +75,10 @@ LatencyDialog::LatencyDialog(BraceletService& station, QWidget* parent)
     layout->addWidget(m_chart, 1);
     layout->addWidget(m_result);
     layout->addWidget(m_trouble);
-    layout->addWidget(m_buttons);
+    layout->addWidget(buttons);
     m_what->setMinimumWidth(base::em(this, 36));
 
-    connect(m_buttons, &QDialogButtonBox::rejected, this, &LatencyDialog::reject);
+    connect(buttons, &QDialogButtonBox::rejected, this, &LatencyDialog::reject);
     connect(m_again, &QPushButton::clicked, this, &LatencyDialog::findInputs);
     connect(m_measure, &QPushButton::clicked, this, &LatencyDialog::measureOrStop);
     connect(m_save, &QPushButton::clicked, this, &LatencyDialog::save);
@@ -88,23 +86,25 @@ LatencyDialog::LatencyDialog(BraceletService& station, QWidget* parent)
     connect(&m_clock, &QTimer::timeout, this, &LatencyDialog::tick);
     m_clock.start(kTick_ms);
     setTexts();
+    restyle();
     base::onChange(this, &LatencyDialog::setTexts, {QEvent::LanguageChange});
+    base::onChange(this, &LatencyDialog::restyle, {QEvent::PaletteChange});
     findInputs();
 }
 
 LatencyDialog::~LatencyDialog() {
-    if (m_run)
-        m_run->stop.request_stop();
-    for (const std::shared_ptr<Run>& run : m_runs)
-        run->end.wait();
+    if (!m_run)
+        return;
+    m_run->stop.request_stop();
+    m_run->end.wait();
 }
 
 void LatencyDialog::setTexts() {
     setWindowTitle(tr("Latency of the bracelet"));
     m_what->setText(
         tr("Ten clicks are played on tactor 1 and heard at an input of the sound card: fix an accelerometer "
-           "to the tactor, or lead a cable from its output to the input. The median is kept in the device "
-           "file, and studies count from when a stimulus is felt."));
+           "to the tactor, or lead a cable from its output to the input. The median is saved in the device "
+           "file, and studies then count from when a stimulus is felt."));
     m_inputName->setText(tr("&Input:"));
     m_again->setText(tr("&Look again"));
     m_save->setText(tr("&Save in the device file"));
@@ -152,10 +152,6 @@ void LatencyDialog::measure() {
     showTrouble({});
     m_latency.reset();
     m_run = std::make_shared<Run>();
-    std::erase_if(m_runs, [](const std::shared_ptr<Run>& run) {
-        return run->end.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    });
-    m_runs.push_back(m_run);
     auto work = [session = std::move(session), run = m_run, path = m_deviceFile.toStdString(),
                  input = m_input->currentText().toStdString()]() mutable {
         std::vector<double> clicks_s;
@@ -221,6 +217,7 @@ void LatencyDialog::onSession() {
 void LatencyDialog::reject() {
     if (m_run)
         m_run->stop.request_stop();
+    m_clock.stop();
     QDialog::reject();
 }
 
@@ -244,7 +241,7 @@ void LatencyDialog::tick() {
 
 QString LatencyDialog::resultText() const {
     if (m_run)
-        return tr("Clicks are played. Leave the tactor and the input alone.");
+        return tr("Playing clicks. Do not touch the tactor or the input.");
     if (m_latency) {
         const QString found =
             tr("Median %1 ms, spread %2 ms from the shortest to the longest.")
@@ -260,14 +257,17 @@ QString LatencyDialog::resultText() const {
     if (std::isfinite(bracelet.measuredLatency_s))
         return tr("The device file says %1 ms, as measured before.")
             .arg(milliseconds(bracelet.measuredLatency_s));
-    return tr("Not measured yet. The sound server states at most %1 ms.")
+    return tr("Not measured yet. According to the sound server it is at most %1 ms.")
         .arg(milliseconds(bracelet.statedLatency_s));
 }
 
 void LatencyDialog::showTrouble(const QString& text) {
-    base::setTextColour(m_trouble, base::statusColours(palette()).lost);
     m_trouble->setText(text);
     m_trouble->setVisible(!text.isEmpty());
+}
+
+void LatencyDialog::restyle() {
+    base::setTextColour(m_trouble, base::statusColours(palette()).lost);
 }
 
 } // namespace teleta::console

@@ -16,7 +16,6 @@
 #include <vector>
 
 class QComboBox;
-class QDialogButtonBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -35,7 +34,7 @@ class LatencyDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// station: its bracelet is a sound card's.
+    /// station: its bracelet is on a sound card.
     LatencyDialog(BraceletService& station, QWidget* parent);
     ~LatencyDialog() override;
 
@@ -59,6 +58,7 @@ private:
     void onSession();
     void tick();
     void showTrouble(const QString& text);
+    void restyle();
     [[nodiscard]] QString resultText() const;
 
     BraceletService& m_station;
@@ -73,13 +73,11 @@ private:
     QLabel* m_trouble;
     QPushButton* m_measure;
     QPushButton* m_save;
-    QDialogButtonBox* m_buttons;
-    QTimer m_clock;
+    QTimer m_clock; ///< runs until it is closed
     std::optional<sound::SoundLatency> m_latency;
-    bool m_saved = false; ///< m_latency is in the file
-    bool m_busy = false;  ///< inputs are being looked for, or the file is being written
-    std::shared_ptr<Run> m_run;
-    std::vector<std::shared_ptr<Run>> m_runs; ///< runs whose thread may still use the bracelet
+    bool m_saved = false;       ///< m_latency is in the file
+    bool m_busy = false;        ///< inputs are being looked for, or the file is being written
+    std::shared_ptr<Run> m_run; ///< null: nothing is measured
 };
 
 } // namespace teleta::console

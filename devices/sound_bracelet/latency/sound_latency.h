@@ -23,7 +23,7 @@ struct SoundLatency {
     [[nodiscard]] double spread_s() const;
 };
 
-/// Who watches a measurement; both are called on its thread, a thousand times a second at most.
+/// Who watches a measurement; both are called on its thread.
 struct LatencyWatch {
     std::function<bool()> goesOn;                  ///< false ends it within some ms
     std::function<void(double latency_s)> heard{}; ///< of each click that counts; may be empty

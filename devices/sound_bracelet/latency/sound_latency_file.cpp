@@ -57,11 +57,12 @@ std::string latencyLines(const SoundLatency& latency) {
 core::Expected<void> keepLatency(const std::string& path, const SoundLatency& latency) {
     TELETA_TRY(const std::string before, core::readFile(path));
     TELETA_TRY(SoundBraceletFile wanted, parseSoundBracelet(before, path));
+    const auto entries = entriesOf(latency);
     QString text = QString::fromStdString(before);
-    for (const Entry& entry : entriesOf(latency))
+    for (const Entry& entry : entries)
         text = withEntry(text, entry);
-    wanted.latency_ms = entriesOf(latency)[0].second.toDouble();
-    wanted.latencySpread_ms = entriesOf(latency)[1].second.toDouble();
+    wanted.latency_ms = entries[0].second.toDouble();
+    wanted.latencySpread_ms = entries[1].second.toDouble();
     const auto after = parseSoundBracelet(text.toStdString(), path);
     if (!after || *after != wanted)
         return core::refused(
