@@ -113,6 +113,9 @@ private slots:
         auto& touches = *m_window->operatePage().findChild<touch::TouchTable*>();
         auto& sheet = m_window->operatePage().findChild<touch::RunSheet*>()->model();
         QTRY_VERIFY_WITH_TIMEOUT(touches.touches() > 0 && sheet.rowCount() > 0, kPatience_ms);
+        // Whoever plays it may find the touch a little later than it was found live.
+        const std::uint64_t found = m_window->recorder().status().frames;
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->recorder().status().frames >= found + 1000, kPatience_ms);
         m_window->recording().stop();
         QTRY_COMPARE_WITH_TIMEOUT(m_window->recorder().state(), RecordingService::State::idle, kPatience_ms);
         m_window->sources().closeAll();
