@@ -57,7 +57,7 @@ void TaxelMesh::borderOn(vtkActor& actor) {
     texture->SetInputData(picture);
     texture->InterpolateOn();
     texture->MipmapOn();
-    // A software driver would read it up to a second long for a side of a cell that is almost without height.
+    // Otherwise a software driver may take a second for a frame, see README.md.
     texture->SetMaximumAnisotropicFiltering(1.0F);
     texture->SetWrap(vtkTexture::ClampToEdge);
     actor.SetTexture(texture);
