@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time of a frame of the 3-D view with OpenGL, from new joints to the last pixel: an arm with a skin in
 // motion, with the trail of its tip, the dial of a joint near its limit, and the force that the joints tell,
-// against the same without these; longest_ms is the slowest frame. Run it under Xvfb with
+// against the same without these, and with a skin of 100 taxels off a grid, whose discs are drawn as cells;
+// longest_ms is the slowest frame. Run it under Xvfb with
 // LIBGL_ALWAYS_SOFTWARE=1.
 #include "backend/core/steady_time.h"
 #include "tests/widgets/view3d/touch_examples.h"
@@ -18,7 +19,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 using namespace teleta;
 
@@ -26,8 +30,19 @@ namespace {
 
 constexpr core::ArrayLayout kSkin{.rows = 20, .columns = 24, .pitchX_m = 0.0094};
 
+constexpr core::ArrayLayout kRows{.rows = 10, .columns = 10, .pitchX_m = 0.018};
+
+/// These, every other row moved by half a pitch.
+core::TaxelLayout shiftedRows() {
+    std::vector<core::TaxelPlace> places;
+    for (int row = 0; row < kRows.rows; ++row)
+        for (int column = 0; column < kRows.columns; ++column)
+            places.push_back({kRows.x_m(column + 0.5 * (row % 2)), kRows.y_m(row)});
+    return core::TaxelLayout(std::make_shared<const core::TaxelPlaces>(std::move(places)));
+}
+
 /// A step of 1/30 s: the arm turns, and is touched.
-void step(view3d::Scene3dView& view, std::uint64_t frame) {
+void step(view3d::Scene3dView& view, std::uint64_t frame, const core::TaxelLayout& skin) {
     const double time_s = static_cast<double>(frame) / 30.0;
     const double turn = 0.5 * std::sin(time_s);
     std::array<view3d::ArmLink, 2> links;
@@ -52,10 +67,13 @@ void step(view3d::Scene3dView& view, std::uint64_t frame) {
     view.setJoints(std::array{elbow});
     view.setForce(
         view3d::DrawnForce{links[1].X_World_Link * Eigen::Vector3d(0.135, 0, 0.03), {0.0, 0.0, -1.0}});
-    view.setSnapshot(test::pressed(kSkin, {{1, 0.01 * turn, 0.0, 1.0, 0.02}}, frame));
+    pipeline::TouchSnapshot snapshot =
+        test::pressed(skin.isGrid() ? kSkin : kRows, {{1, 0.01 * turn, 0.0, 1.0, 0.02}}, frame);
+    snapshot.layout = skin;
+    view.setSnapshot(snapshot);
 }
 
-void frames(benchmark::State& state, const QStringList& hidden) {
+void frames(benchmark::State& state, const QStringList& hidden, const core::TaxelLayout& skin = kSkin) {
     view3d::Scene3dView view;
     auto* vtk = view.findChild<view3d::VtkWidget*>();
     vtk->setFixedSize(640, 480);
@@ -69,7 +87,7 @@ void frames(benchmark::State& state, const QStringList& hidden) {
     }
     std::uint64_t frame = 0;
     for (int i = 0; i < 200; ++i) // the trail is whole
-        step(view, ++frame);
+        step(view, ++frame, skin);
     (void)vtk->picture(1.0, view3d::VtkWidget::PictureOverlay::without);
     auto* window = static_cast<view3d::GuestRenderWindow*>(vtk->renderWindow());
     window->SetMultiSamples(0);
@@ -78,7 +96,7 @@ void frames(benchmark::State& state, const QStringList& hidden) {
     double longest_ms = 0.0;
     for (auto _ : state) {
         const auto begun_ns = core::steadyNow_ns();
-        step(view, ++frame);
+        step(view, ++frame, skin);
         window->renderGuarded();
         window->WaitForCompletion();
         longest_ms = std::max(longest_ms, 1e-6 * static_cast<double>(core::steadyNow_ns() - begun_ns));
@@ -93,8 +111,13 @@ void withoutMarks(benchmark::State& state) {
     frames(state, {"trail", "jointLimits", "moments"});
 }
 
+void offTheGrid(benchmark::State& state) {
+    frames(state, {}, shiftedRows());
+}
+
 BENCHMARK(withoutMarks)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(withMarks)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(offTheGrid)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
 

@@ -15,8 +15,10 @@ PlaceRaster::PlaceRaster(const core::TaxelPlaces& places) {
         halfX_m = std::max(halfX_m, std::abs(places[i].x_m) + 0.5 * places.spacing_m(i));
         halfY_m = std::max(halfY_m, std::abs(places[i].y_m) + 0.5 * places.spacing_m(i));
     }
-    const double cell_m =
-        std::max(places.pitch_m() / kCellsAcross, 2.0 * std::max(halfX_m, halfY_m) / kMostSide);
+    const double side_m = 2.0 * std::max(halfX_m, halfY_m);
+    const double cell_m = std::max(
+        std::clamp(side_m / kFineSide, places.pitch_m() / kMostAcross, places.pitch_m() / kLeastAcross),
+        side_m / kMostSide);
     const auto cells = [cell_m](double half_m) {
         return std::clamp(static_cast<int>(std::ceil(2.0 * half_m / cell_m - 1e-9)), 1, kMostSide);
     };

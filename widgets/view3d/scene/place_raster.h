@@ -15,7 +15,11 @@ namespace teleta::view3d {
 class PlaceRaster {
 public:
     static constexpr int kMostSide = 120;
-    static constexpr double kCellsAcross = 12.0; ///< a usual disc, where kMostSide lets it
+    /// Across a usual disc: fewer where the side would have more than kFineSide cells, but not under
+    /// kLeastAcross unless it would have more than kMostSide. Frames of more cells take longer.
+    static constexpr double kMostAcross = 12.0;
+    static constexpr double kLeastAcross = 5.0;
+    static constexpr int kFineSide = 60;
 
     explicit PlaceRaster(const core::TaxelPlaces& places);
 
