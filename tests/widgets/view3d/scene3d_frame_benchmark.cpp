@@ -3,7 +3,7 @@
 // motion, with the trail of its tip, the dial of a joint near its limit, and the force that the joints tell,
 // against the same without these, and with a skin of 100 taxels off a grid, whose discs are drawn as cells;
 // longest_ms is the slowest frame. Run it under Xvfb with
-// LIBGL_ALWAYS_SOFTWARE=1.
+// LIBGL_ALWAYS_SOFTWARE=1. CPU is of all threads, the driver's among them.
 #include "backend/core/steady_time.h"
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
@@ -115,9 +115,9 @@ void offTheGrid(benchmark::State& state) {
     frames(state, {}, shiftedRows());
 }
 
-BENCHMARK(withoutMarks)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(withMarks)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(offTheGrid)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(withoutMarks)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(withMarks)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(offTheGrid)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 } // namespace
 

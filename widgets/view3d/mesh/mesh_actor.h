@@ -51,6 +51,9 @@ struct MeshActor {
         }
     }
 
+    /// Draws only the sides of faces that are turned out, as a closed mesh needs. They run counter-clockwise.
+    void hideInside() { actor->GetProperty()->BackfaceCullingOn(); }
+
     void setLineWidth(double logical_px, double pixelScale) {
         actor->GetProperty()->SetLineWidth(static_cast<float>(logical_px * pixelScale));
     }

@@ -42,6 +42,7 @@ bool isDrawableLink(const ArmLink& link) {
 } // namespace
 
 void ArmPart::addTo(vtkRenderer* renderer) {
+    m_solids.hideInside();
     renderer->AddActor(m_solids.actor);
     renderer->AddActor(m_shadow.actor);
 }

@@ -42,6 +42,8 @@ SensorSize SensorSize::of(const core::ArrayLayout& layout, const DrawnGrid& grid
 
 SensorPart::SensorPart() {
     m_taxels.borderOn(*m_taxelActor.actor);
+    m_taxelActor.hideInside();
+    m_slab.hideInside();
     m_tube.actor->GetProperty()->SetOpacity(kTubeOpacity);
     setVisible(false);
 }

@@ -33,13 +33,13 @@ bool isDrawable(const pipeline::TouchSnapshot& snapshot) {
 
 TouchScene::TouchScene(const SceneColours& colours)
     : m_colours(colours) {
+    m_arm.addTo(m_renderer); // its shadow is below what else is translucent
     m_sensor.addTo(m_renderer);
     m_contacts.addTo(m_renderer);
     m_ground.addTo(m_renderer);
     m_axes.addTo(m_renderer);
     m_contour.addTo(m_renderer);
     m_objects.addTo(m_renderer);
-    m_arm.addTo(m_renderer);
     m_tube.addTo(m_renderer);
     m_gel.addTo(m_renderer);
     m_sensor.setPose(m_poseMatrix);

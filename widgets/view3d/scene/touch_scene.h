@@ -3,6 +3,7 @@
 
 #include "backend/pipeline/touch/touch_snapshot.h"
 #include "widgets/base/numbers/calm_range.h"
+#include "widgets/view3d/mesh/blending_renderer.h"
 #include "widgets/view3d/scene/arm_part.h"
 #include "widgets/view3d/scene/contact_part.h"
 #include "widgets/view3d/scene/contour_part.h"
@@ -17,7 +18,6 @@
 
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkRenderer.h>
 
 #include <memory>
 #include <optional>
@@ -154,7 +154,7 @@ private:
     bool m_frameStale = false;
     std::vector<float> m_cell_N;
 
-    vtkNew<vtkRenderer> m_renderer;
+    vtkNew<BlendingRenderer> m_renderer;
     vtkNew<vtkMatrix4x4> m_poseMatrix;
     SensorPart m_sensor;
     ContactPart m_contacts;
