@@ -132,8 +132,9 @@ QString BraceletView::shownTitle() const {
 }
 
 void BraceletView::setProvenance(base::Provenance provenance) {
+    if (std::exchange(m_provenance, provenance) == provenance)
+        return;
     base::showProvenance(this, provenance);
-    m_provenance = provenance;
     update();
 }
 

@@ -34,6 +34,7 @@ TimePlot::TimePlot(const Shape& shape, QWidget* parent)
     , m_shape(shape)
     , m_colours(palette()) {
     setFocusPolicy(Qt::NoFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent); // its background covers what is below
     setNoAntialiasingOnDrag(false);
     setPlottingHints(QCP::phCacheLabels);
     plotLayout()->clear();

@@ -11,8 +11,7 @@ namespace teleta::view3d {
 class BlendingRenderer : public vtkOpenGLRenderer {
 public:
     static BlendingRenderer* New();
-    vtkTypeMacro(BlendingRenderer, vtkOpenGLRenderer)
-    BlendingRenderer(const BlendingRenderer&) = delete;
+    vtkTypeMacro(BlendingRenderer, vtkOpenGLRenderer) BlendingRenderer(const BlendingRenderer&) = delete;
     BlendingRenderer& operator=(const BlendingRenderer&) = delete;
     BlendingRenderer(BlendingRenderer&&) = delete;
     BlendingRenderer& operator=(BlendingRenderer&&) = delete;
@@ -20,7 +19,7 @@ public:
     void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* buffer) override;
 
 protected:
-    BlendingRenderer() = default;
+    BlendingRenderer();
     ~BlendingRenderer() override = default;
 };
 

@@ -7,7 +7,8 @@
 #include <vtkActor.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkProperty.h>
 
 namespace teleta::view3d {
@@ -30,6 +31,8 @@ struct MeshActor {
     MeshActor(vtkPolyData* mesh, Shading shading) {
         mapper->SetInputData(mesh);
         mapper->SetScalarModeToUsePointData();
+        // Scenes are about a metre large and lie around the origin: single precision is enough.
+        mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
         actor->SetMapper(mapper);
         vtkProperty* property = actor->GetProperty();
         property->SetAmbient(0.15);
@@ -67,7 +70,7 @@ struct MeshActor {
         mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, kUnits);
     }
 
-    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkOpenGLPolyDataMapper> mapper;
     vtkNew<vtkActor> actor;
 };
 
@@ -75,7 +78,11 @@ struct MeshActor {
 struct Mesh : MeshBuilder, MeshActor {
     explicit Mesh(Shading shading, Alpha alpha = Alpha::ignored)
         : MeshBuilder(shading != Shading::none, alpha)
-        , MeshActor(data(), shading) {}
+        , MeshActor(data(), shading) {
+        // Otherwise VTK looks through all colours before each frame.
+        if (alpha == Alpha::used)
+            actor->ForceTranslucentOn();
+    }
 };
 
 } // namespace teleta::view3d

@@ -43,6 +43,7 @@ VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* inter
     , m_window(window)
     , m_interactor(interactor) {
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent); // so that what is below is not painted as well
     m_lookAgain.setTimerType(Qt::PreciseTimer);
     m_lookAgain.setInterval(kLookAgain_ms);
     m_lookAgain.setObjectName(QStringLiteral("look"));
