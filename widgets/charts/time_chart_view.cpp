@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace teleta::charts {
 
@@ -31,6 +33,8 @@ namespace {
 constexpr double kZoomStep = 1.25;
 constexpr double kScrollStep = 0.1; ///< of the span, for one notch or key
 constexpr double kCursorStep = 0.01;
+constexpr double kLeastScroll_px =
+    2.0; ///< of a chart that is drawn again: less is hardly seen, and costs as much
 
 } // namespace
 
@@ -154,15 +158,23 @@ void TimeChartView::reset() {
 }
 
 void TimeChartView::refresh() {
-    const bool news = history().appended() != m_drawn && !isPaused();
+    const std::uint64_t appended = history().appended();
+    const bool standsStill = std::exchange(m_seen, appended) == appended;
+    const bool news = appended != m_drawn && !isPaused() && (standsStill || hasScrolled());
     if (!news && !m_dirty)
         return;
     draw();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
+bool TimeChartView::hasScrolled() const {
+    const double scroll_s = std::abs(history().newestTime_s() - m_drawnTime_s);
+    return scroll_s * m_plot->width() >= kLeastScroll_px * m_span_s;
+}
+
 void TimeChartView::draw() {
     m_drawn = history().appended();
+    m_drawnTime_s = history().empty() ? -std::numeric_limits<double>::infinity() : history().newestTime_s();
     m_dirty = false;
     prepareExtras();
     m_plot->showStretch(history(), end_s(), m_span_s);

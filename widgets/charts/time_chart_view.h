@@ -37,7 +37,8 @@ public:
     static constexpr std::array<double, 4> kSpans_s{5.0, 10.0, 30.0, 60.0};
     static constexpr double kLongestSpan_s = 600.0;
 
-    /// Repaints if anything has changed, at little cost otherwise. Call it from the display timer.
+    /// Repaints if anything has changed that is seen, at little cost otherwise. While samples go on coming, a
+    /// chart moves by two pixels at least. Call it from the display timer.
     void refresh();
 
     void setProvenance(base::Provenance provenance);
@@ -100,6 +101,8 @@ protected:
 private:
     void makeActions();
     void draw();
+    /// Whether the newest sample lies visibly later than the newest that is drawn.
+    [[nodiscard]] bool hasScrolled() const;
     void drawCursor();
     void updateHeader();
     void showPause();
@@ -126,6 +129,8 @@ private:
     std::optional<double> m_keyboardCursor_s;
     std::optional<double> m_dragFrom_px;
     std::uint64_t m_drawn = 0;
+    std::uint64_t m_seen = 0; ///< samples at the last refresh
+    double m_drawnTime_s = 0.0;
     bool m_dirty = true;
 };
 

@@ -139,14 +139,20 @@ private slots:
         QSignalSpy replots(m_view->plot(), &QCustomPlot::afterReplot);
         draw();
         QCOMPARE(replots.size(), qsizetype(0));
-        m_view->append(test::rollingSample(20.0, true));
+        m_view->append(test::rollingSample(20.1, true));
         QCOMPARE(replots.size(), qsizetype(0));
         draw();
         QCOMPARE(replots.size(), qsizetype(1));
+        // Less than a pixel later: it is drawn when no other sample follows.
+        m_view->append(test::rollingSample(20.105, true));
+        draw();
+        QCOMPARE(replots.size(), qsizetype(1));
+        draw();
+        QCOMPARE(replots.size(), qsizetype(2));
         m_view->setPaused(true);
         draw();
         replots.clear();
-        m_view->append(test::rollingSample(20.005, true));
+        m_view->append(test::rollingSample(20.11, true));
         draw();
         QCOMPARE(replots.size(), qsizetype(0));
     }
