@@ -166,11 +166,15 @@ bool OperateDocks::restore(const QByteArray& layout) {
     QByteArray state = layout;
     QSize sizesIn;
     QList<QSize> sizes;
+    bool sharesAnew = false;
     if (stream >> begin; begin == kWithSizes)
         stream >> state >> sizesIn >> sizes;
+    const bool isTold = stream.status() == QDataStream::Ok && sizes.size() == std::ssize(m_sizes);
+    if (isTold && !stream.atEnd()) // an older program did not tell
+        stream >> sharesAnew;
     if (!restoreState(state, kLayoutVersion))
         return false;
-    const bool isTold = stream.status() == QDataStream::Ok && sizes.size() == std::ssize(m_sizes);
+    m_default[index()] = sharesAnew;
     m_sizesIn = isTold ? sizesIn : QSize();
     if (isTold)
         std::ranges::copy(sizes, m_sizes.begin());
@@ -312,7 +316,7 @@ QByteArray OperateDocks::stateNow() const {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
     stream << kWithSizes << saveState(kLayoutVersion) << (isVisible() ? size() : m_sizesIn)
-           << QList<QSize>(sizes.begin(), sizes.end());
+           << QList<QSize>(sizes.begin(), sizes.end()) << m_default[index()];
     return bytes;
 }
 
@@ -376,9 +380,7 @@ bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
         return false;
     }
     m_layouts = std::move(stored);
-    for (std::size_t i = 0; i < kKinds; ++i)
-        m_default[i] = m_layouts[i].isEmpty();
-    if (m_default[index()])
+    if (m_layouts[index()].isEmpty())
         resetLayout();
     return true;
 }
@@ -404,8 +406,7 @@ void OperateDocks::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     enableActions();
     // Only now do the docks have room. A layout that was restored keeps its own shares.
-    QMetaObject::invokeMethod(
-        this, [this] { m_default[index()] ? shareSpace() : bringSizes(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &OperateDocks::bringSizes, Qt::QueuedConnection);
 }
 
 /// Another page: its docks are not to be shown or closed from there.

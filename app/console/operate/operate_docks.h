@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 
 class QAction;
 class QDockWidget;
@@ -121,8 +122,19 @@ private:
     [[nodiscard]] bool isUsed(std::size_t dock) const;
     void shareSpace();
     void shareAmongKind();
+    /// Pixels for the first of some docks that stands in the layout, or for what stands behind or before it.
+    struct Share {
+        std::initializer_list<Dock> docks;
+        int size;
+    };
+    /// What is closed leaves its share to the others, but forms keep their width.
+    void share(std::initializer_list<Share> shares, Qt::Orientation orientation);
+    [[nodiscard]] QDockWidget* standing(std::initializer_list<Dock> docks) const;
+    [[nodiscard]] static bool isForm(std::size_t dock);
     /// Remembers the sizes of the docks that are seen.
     void noteSizes();
+    [[nodiscard]] bool isSeen(std::size_t dock) const;
+    [[nodiscard]] int tabRoom(const QDockWidget& dock) const;
     /// Of the docks that are seen; invalid of the others.
     [[nodiscard]] std::array<QSize, kDocks> sizesNow() const;
     /// Those that a restored layout tells, or notes what there are.

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QScopedValueRollback>
 #include <QSet>
+#include <QTabBar>
 
 #include <algorithm>
 #include <initializer_list>
@@ -121,12 +122,11 @@ void OperateDocks::shareSpace() {
     if (!isUsed(scene) || m_docks[scene]->isHidden() || m_kind == Kind::scene)
         return;
     if (m_kind == Kind::camera || m_kind == Kind::gel)
-        resizeDocks({m_docks[m_kind == Kind::gel ? gel : camera], m_docks[scene]},
-                    {height() / 2, height() / 2}, Qt::Vertical);
+        share({{{m_kind == Kind::gel ? gel : camera}, height() / 2}, {{scene}, height() / 2}}, Qt::Vertical);
     else
-        resizeDocks(
-            {m_docks[m_kind == Kind::array || m_kind == Kind::servo ? charts : joints], m_docks[scene]},
-            {width() * 11 / 20, width() * 9 / 20}, Qt::Horizontal);
+        share({{{m_kind == Kind::array || m_kind == Kind::servo ? charts : joints}, width() * 11 / 20},
+               {{scene}, width() * 9 / 20}},
+              Qt::Horizontal);
 }
 
 void OperateDocks::shareAmongKind() {
@@ -134,47 +134,102 @@ void OperateDocks::shareAmongKind() {
         return;
     if (m_kind == Kind::camera || m_kind == Kind::gel) {
         const bool isGel = m_kind == Kind::gel;
-        resizeDocks({m_docks[isGel ? gel : camera], m_docks[reconstruction]},
-                    {width() * 11 / 20, width() * 9 / 20}, Qt::Horizontal);
-        resizeDocks({m_docks[reconstruction], m_docks[isGel ? gelEvents : events]},
-                    {height() * 13 / 20, height() * 7 / 20}, Qt::Vertical);
+        const Dock list = isGel ? gelEvents : events;
+        share({{{isGel ? gel : camera}, width() * 11 / 20}, {{reconstruction, list}, width() * 9 / 20}},
+              Qt::Horizontal);
+        share({{{reconstruction}, height() * 13 / 20}, {{list}, height() * 7 / 20}}, Qt::Vertical);
         return;
     }
     if (m_kind == Kind::joints) {
         const int side = base::em(this, 25);
-        resizeDocks({m_docks[reconstruction], m_docks[jog]}, {std::max(width() - side, side), side},
-                    Qt::Horizontal);
-        resizeDocks({m_docks[reconstruction], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20},
-                    Qt::Vertical);
+        share({{{reconstruction, joints}, std::max(width() - side, side)}, {{jog}, side}}, Qt::Horizontal);
+        share({{{reconstruction}, height() * 11 / 20}, {{joints}, height() * 9 / 20}}, Qt::Vertical);
         return;
     }
     if (m_kind != Kind::arm) {
         const bool servos = m_kind == Kind::servo;
         const int settings = base::em(this, servos ? 25 : 18);
         const int rest = std::max(width() - settings, settings);
-        resizeDocks({m_docks[heatmap], m_docks[charts]}, {height() * 11 / 20, height() * 9 / 20},
-                    Qt::Vertical);
-        resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[servos ? servo : processing]},
-                    {rest * 11 / 20, rest * 9 / 20, settings}, Qt::Horizontal);
+        share({{{heatmap, reconstruction}, height() * 11 / 20}, {{charts}, height() * 9 / 20}}, Qt::Vertical);
+        share({{{heatmap}, rest * 11 / 20},
+               {{reconstruction}, rest * 9 / 20},
+               {{servos ? servo : processing}, settings}},
+              Qt::Horizontal);
         return;
     }
     // In a small window the pictures have more than half of the width.
     const int side = std::min(base::em(this, 25), std::max(base::em(this, 20), width() * 2 / 5));
     const int rest = std::max(width() - side, side);
-    resizeDocks({m_docks[heatmap], m_docks[joints]}, {height() * 11 / 20, height() * 9 / 20}, Qt::Vertical);
-    resizeDocks({m_docks[heatmap], m_docks[reconstruction], m_docks[stiffness]},
-                {rest * 9 / 20, rest * 11 / 20, side}, Qt::Horizontal);
+    share({{{heatmap, reconstruction}, height() * 11 / 20}, {{joints}, height() * 9 / 20}}, Qt::Vertical);
+    share(
+        {{{heatmap}, rest * 9 / 20}, {{reconstruction}, rest * 11 / 20}, {{stiffness, bracelet, jog}, side}},
+        Qt::Horizontal);
     // The hand controls are whole where there is room, and scroll before the pictures are cut.
     const int hand = m_docks[jog]->sizeHint().height() + base::em(this, 2);
     const int pictures = std::clamp(height() - hand, base::em(this, 23), base::em(this, 27));
-    resizeDocks({m_docks[stiffness], m_docks[bracelet], m_docks[jog]},
-                {pictures * 14 / 27, pictures * 13 / 27, std::max(height() - pictures, 1)}, Qt::Vertical);
+    share({{{stiffness}, pictures * 14 / 27},
+           {{bracelet}, pictures * 13 / 27},
+           {{jog}, std::max(height() - pictures, 1)}},
+          Qt::Vertical);
+}
+
+QDockWidget* OperateDocks::standing(std::initializer_list<Dock> docks) const {
+    const auto stands = [](const QDockWidget* dock) { return !dock->isHidden() && !dock->isFloating(); };
+    for (const Dock dock : docks) {
+        if (stands(m_docks[dock]))
+            return m_docks[dock];
+        for (QDockWidget* other : tabifiedDockWidgets(m_docks[dock]))
+            if (stands(other))
+                return other;
+    }
+    return nullptr;
+}
+
+void OperateDocks::share(std::initializer_list<Share> shares, Qt::Orientation orientation) {
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
+    QList<int> growing; // forms keep their size
+    int free = 0;
+    int all = 0;
+    for (const Share& share : shares) {
+        if (QDockWidget* dock = standing(share.docks)) {
+            const bool grows = orientation == Qt::Vertical || !isForm(*share.docks.begin());
+            docks << dock;
+            sizes << share.size;
+            growing << (grows ? share.size : 0);
+            all += growing.back();
+        } else {
+            free += share.size;
+        }
+    }
+    for (qsizetype i = 0; all > 0 && i < sizes.size(); ++i)
+        sizes[i] += free * growing[i] / all;
+    resizeDocks(docks, sizes, orientation);
+}
+
+bool OperateDocks::isForm(std::size_t dock) {
+    return dock == processing || dock == stiffness || dock == bracelet || dock == jog || dock == feedback ||
+           dock == servo;
+}
+
+/// Qt puts a dock behind others outside of the window, where it keeps a size of its own.
+bool OperateDocks::isSeen(std::size_t dock) const {
+    const QDockWidget& frame = *m_docks[dock];
+    return frame.isVisible() && !frame.isFloating() && rect().intersects(frame.geometry());
+}
+
+/// Height of the tabs above the dock, if any: for Qt they are a part of it.
+int OperateDocks::tabRoom(const QDockWidget& dock) const {
+    for (const auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+        if (tabs->isVisible() && tabs->x() == dock.x() && tabs->geometry().bottom() + 1 == dock.y())
+            return tabs->height();
+    return 0;
 }
 
 std::array<QSize, OperateDocks::kDocks> OperateDocks::sizesNow() const {
     std::array<QSize, kDocks> sizes;
     for (std::size_t i = 0; i < kDocks; ++i)
-        sizes[i] = m_docks[i]->isVisible() && !m_docks[i]->isFloating() ? m_docks[i]->size() : QSize();
+        sizes[i] = isSeen(i) ? m_docks[i]->size() : QSize();
     return sizes;
 }
 
@@ -184,7 +239,9 @@ void OperateDocks::noteSizes() {
 }
 
 void OperateDocks::bringSizes() {
-    if (m_sizesIn.isEmpty())
+    if (m_default[index()])
+        shareSpace();
+    else if (m_sizesIn.isEmpty())
         noteSizes();
     else
         keepSizes();
@@ -193,10 +250,6 @@ void OperateDocks::bringSizes() {
 void OperateDocks::keepSizes() {
     if (m_sizesIn.isEmpty())
         return;
-    const auto isForm = [](std::size_t dock) {
-        return dock == processing || dock == stiffness || dock == bracelet || dock == jog ||
-               dock == feedback || dock == servo;
-    };
     int forms = 0;
     for (std::size_t i = 0; i < kDocks; ++i)
         if (isForm(i) && m_sizes[i].isValid())
@@ -204,23 +257,21 @@ void OperateDocks::keepSizes() {
     const double wider =
         std::max(width() - forms, 1) / std::max(1.0, m_sizesIn.width() - static_cast<double>(forms));
     const double higher = static_cast<double>(height()) / m_sizesIn.height();
-    const auto isSeen = [this](std::size_t dock) {
-        return m_sizes[dock].isValid() && m_docks[dock]->isVisible() && !m_docks[dock]->isFloating();
-    };
+    const auto isKept = [this](std::size_t dock) { return m_sizes[dock].isValid() && isSeen(dock); };
     // What stands above or below a form is as wide as that.
     QSet<int> columnsOfForms;
     for (std::size_t i = 0; i < kDocks; ++i)
-        if (isForm(i) && isSeen(i))
+        if (isForm(i) && isKept(i))
             columnsOfForms << m_docks[i]->x();
     QList<QDockWidget*> inRows;
     QList<QDockWidget*> inColumns;
     QList<int> widths;
     QList<int> heights;
     for (std::size_t i = 0; i < kDocks; ++i) {
-        if (!isSeen(i))
+        if (!isKept(i))
             continue;
         inColumns << m_docks[i];
-        heights << std::max(1, qRound(higher * m_sizes[i].height()));
+        heights << std::max(1, qRound(higher * m_sizes[i].height())) + tabRoom(*m_docks[i]);
         if (!isForm(i) && columnsOfForms.contains(m_docks[i]->x()))
             continue;
         inRows << m_docks[i];

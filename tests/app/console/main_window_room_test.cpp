@@ -15,6 +15,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QMenu>
 #include <QScrollBar>
 #include <QTest>
@@ -30,6 +31,8 @@ constexpr QSize kSmallScreen{1024, 700};
 constexpr QSize kScaledScreen{1066, 666};
 /// The same less the frame of the window.
 constexpr QSize kFramedWindow{1050, 618};
+/// Of the first start on a screen of 1600 x 1000 pixels.
+constexpr QSize kUsualSize{1342, 860};
 
 } // namespace
 
@@ -40,6 +43,14 @@ class MainWindowRoomTest : public QObject, protected test::WindowBench {
     template <typename Widget>
     Widget* child() const {
         return m_window->findChild<Widget*>();
+    }
+
+    QWidget& dock(const char* name) const { return *m_window->findChild<QDockWidget*>(QLatin1String(name)); }
+
+    /// Docks are laid out by events that others have posted.
+    static void settle() {
+        for (int i = 0; i < 10; ++i)
+            QCoreApplication::processEvents();
     }
 
     bool showsData() const {
@@ -189,6 +200,76 @@ private slots:
             QTRY_VERIFY2(fits(), qPrintable(name));
         }
         languages().front()->trigger();
+    }
+
+    void theDocksOfAnArmKeepTheirShares_data() {
+        QTest::addColumn<QString>("meanwhile");
+        QTest::addColumn<bool>("moved");
+        for (const char* meanwhile : {"one alone", "another source", "another start"})
+            for (const bool moved : {false, true})
+                QTest::addRow("%s, %s", meanwhile, moved ? "moved" : "as at first")
+                    << QString::fromLatin1(meanwhile) << moved;
+    }
+    void theDocksOfAnArmKeepTheirShares() {
+        QFETCH(QString, meanwhile);
+        QFETCH(bool, moved);
+        ConsoleOptions options;
+        options.size = kUsualSize;
+        options.scenes = {QStringLiteral(":/scenes/teleta-touch.toml")};
+        if (meanwhile == "another source")
+            options.scenes << QStringLiteral(":/scenes/tactile-two-contacts.toml");
+        const auto choose = [&](std::size_t i) {
+            m_window->sources().activate(m_window->sources().items()[i].key);
+        };
+        const auto begin = [&] {
+            openWindow(options, false);
+            const auto& items = m_window->sources().items();
+            QTRY_VERIFY_WITH_TIMEOUT(std::ssize(items) == options.scenes.size() && showsData(), 20'000);
+            choose(0);
+            QTRY_VERIFY(dock("stiffness").isVisible());
+        };
+        const auto sizes = [this] {
+            QList<QSize> all;
+            for (const char* name : {"heatmap", "reconstruction", "joints", "stiffness", "bracelet", "jog"})
+                all << dock(name).size();
+            return all;
+        };
+        begin();
+        // The picture is what the view is for.
+        const auto isNarrow = [this] { return dock("stiffness").width() < m_window->width() * 35 / 100; };
+        QTRY_VERIFY(isNarrow());
+        m_window->operatePage().docks().resetLayout();
+        settle();
+        QList<QSize> before = sizes();
+        if (moved) {
+            QWidget& docks = m_window->operatePage().docks();
+            const QPoint between = dock("stiffness").geometry().topLeft() + QPoint(-2, 100);
+            QTest::mousePress(&docks, Qt::LeftButton, {}, between);
+            QTest::mouseMove(&docks, between - QPoint(40, 0));
+            QTRY_VERIFY(sizes() != before); // Qt drags by a timer
+            QTest::mouseRelease(&docks, Qt::LeftButton, {}, between - QPoint(40, 0));
+            settle();
+            before = sizes();
+        }
+        for (int round = 0; round < 2; ++round) {
+            if (meanwhile == "another source") {
+                choose(1);
+                QTRY_VERIFY(dock("charts").isVisible());
+                choose(0);
+            } else if (meanwhile == "one alone") {
+                m_window->operatePage().docks().toggleMaximised();
+                QTRY_VERIFY(!dock("jog").isVisible());
+                m_window->operatePage().docks().toggleMaximised();
+            } else {
+                m_window->close();
+                begin();
+            }
+            QTRY_VERIFY(dock("jog").isVisible());
+            settle();
+            QTRY_COMPARE(sizes(), before);
+        }
+        m_window->operatePage().docks().resetLayout(); // for the next window
+        m_window->close();
     }
 };
 
