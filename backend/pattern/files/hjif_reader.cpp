@@ -201,6 +201,10 @@ private:
             return;
         }
         ++m_played;
+        const bool isSine = m_reader.text(effect, "base_signal", "Sine") == "Sine" &&
+                            m_reader.number(effect, "phase", -1e6, 1e6, 0.0) == 0.0;
+        if (!isSine && m_band == Band::vectorial)
+            m_losses.add(LossKind::shape, position / m_timescale);
         const Track amplitudes = keyframes(effect, position);
         if (m_band == Band::transient) {
             for (const Breakpoint& at : amplitudes)

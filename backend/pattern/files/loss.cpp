@@ -25,6 +25,10 @@ QString text(const Loss& loss) {
         return PatternLoss::tr(
                    "Frequencies left out: %1. The frequency of the motors follows their intensity.")
             .arg(loss.count);
+    case LossKind::shape:
+        return PatternLoss::tr(
+                   "Shapes and phases of waves left out: %1. The motors play their strength only.")
+            .arg(loss.count);
     case LossKind::burst:
         return PatternLoss::tr("Short pulses that became bursts of %2 ms: %1.").arg(loss.count).arg(burst);
     case LossKind::longer:
@@ -91,6 +95,8 @@ const char* toString(LossKind kind) {
     switch (kind) {
     case LossKind::frequency:
         return "frequency";
+    case LossKind::shape:
+        return "shape";
     case LossKind::burst:
         return "burst";
     case LossKind::longer:

@@ -12,7 +12,8 @@ namespace teleta::pattern {
 /// What differs between a pattern and the file that it was read from or written to.
 enum class LossKind {
     // when read
-    frequency,   ///< frequencies, sharpness, phases and wave forms; those of the motors follow the intensity
+    frequency,   ///< frequencies and sharpness; those of the motors follow the intensity
+    shape,       ///< waves that are no sines, or begin in another phase
     burst,       ///< short pulses that became bursts of kBurst_s
     longer,      ///< the pattern ends after the file, so that its last burst is whole
     oneSignal,   ///< one signal, put on the tactors in detail

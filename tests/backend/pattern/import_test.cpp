@@ -317,9 +317,44 @@ TEST(HjifImport, aPulseOfAPlayerForTelephonesIsRead) {
     ASSERT_TRUE(import) << describe(import.error());
     EXPECT_EQ(lost(import, LossKind::modality), 0U);
     EXPECT_EQ(lost(import, LossKind::frequency), 0U) << "it has none";
+    EXPECT_EQ(lost(import, LossKind::shape), 1U) << "it is square";
     EXPECT_NEAR(import->pattern.duration_s, 0.633, 1e-9);
     EXPECT_EQ(evaluate(import->pattern, 0.3), (Intensities{}));
     EXPECT_EQ(evaluate(import->pattern, 0.58), (Intensities{1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
+}
+
+/// A wave of each kind of ISO/IEC 23090-31, the first of the effects in the library and played twice.
+TEST(HjifImport, theShapesAndPhasesOfWavesAreTold) {
+    json square = effect("Basis", 0, {keyframe(0, 0.5), keyframe(45, 0.5)});
+    square["id"] = 0;
+    square["base_signal"] = "Square";
+    json waves = json::array();
+    for (const long at : {200, 100}) {
+        json again = effect("Reference", at, json::array());
+        again["id"] = 0;
+        waves.push_back(again);
+    }
+    long at = 300;
+    for (const char* const name : {"Sine", "Triangle", "SawToothUp", "SawToothDown"}) {
+        json wave = effect("Basis", at, {keyframe(0, 0.5), keyframe(45, 0.5)});
+        wave["base_signal"] = name;
+        wave["phase"] = 0.0;
+        waves.push_back(wave);
+        at += 100;
+    }
+    json late = effect("Basis", at, {keyframe(0, 0.5), keyframe(45, 0.5)});
+    late["phase"] = 1.57;
+    waves.push_back(late);
+    const auto import = readHjif(json::array({channel("VectorialWave", waves)}), json::array({square}));
+    ASSERT_TRUE(import) << describe(import.error());
+    const auto told = std::ranges::find(import->losses, LossKind::shape, &Loss::kind);
+    ASSERT_NE(told, import->losses.end());
+    EXPECT_EQ(told->count, 6U) << "all but the sine";
+    EXPECT_EQ(told->first_s, 0.1);
+    EXPECT_EQ(evaluate(import->pattern, 0.12)[0], 0.5);
+    json number = effect("Basis", 0, {keyframe(0, 0.5), keyframe(45, 0.5)});
+    number["base_signal"] = 1;
+    EXPECT_FALSE(readHjif(json::array({channel("VectorialWave", json::array({number}))})));
 }
 
 /// As the reference encoder writes IVS files (010_Bounce100 at 27f9bab): the amplitude at the end is 0 but
