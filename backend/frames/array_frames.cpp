@@ -159,7 +159,9 @@ core::Expected<FrameAxis> axisOf(const ArrayFile& file, const ArrayHead& head, c
     if (head.axisIsOpen && isFirst == isLast)
         return wrong(file.path(),
                      ArrayFramesText::tr("%1 does not say which dimension is the frames").arg(listOf({head})),
-                     ArrayFramesText::tr("--frame-axis first or last, or a time_s for each frame"));
+                     ArrayFramesText::tr(
+                         "the dimension that counts the frames, the first or the last (--frame-axis), or "
+                         "a time_s for each frame"));
     return isLast && !isFirst ? FrameAxis::last : FrameAxis::first;
 }
 
@@ -269,13 +271,14 @@ core::Expected<core::ArrayLayout> sidesOf(const ArrayFile& file, const ArrayHead
                              .arg(head.shape[first + 1]),
                          ArrayFramesText::tr("from 1 to %1 rows and columns").arg(kMost));
     if (head.shape[first + 1] == core::TaxelLayout::kVector && !request.rows && !request.columns)
-        return wrong(file.path(),
-                     ArrayFramesText::tr("%1 can be a grid of 3 columns, or %2 taxels with x, y and z each")
-                         .arg(listOf({head}))
-                         .arg(head.shape[first]),
-                     ArrayFramesText::tr("--rows %1 --columns 3 for the grid; of vectors, the file that says "
-                                         "where the taxels are (--layout FILE.toml)")
-                         .arg(head.shape[first]));
+        return wrong(
+            file.path(),
+            ArrayFramesText::tr("%1 can be a grid of 3 columns, or %2 taxels with x, y and z each")
+                .arg(listOf({head}))
+                .arg(head.shape[first]),
+            ArrayFramesText::tr("for the grid, %1 rows and 3 columns (--rows %1 --columns 3); for vectors, "
+                                "the file that says where the taxels are (--layout FILE.toml)")
+                .arg(head.shape[first]));
     core::ArrayLayout layout;
     layout.rows = static_cast<int>(head.shape[first]);
     layout.columns = static_cast<int>(head.shape[first + 1]);
@@ -376,7 +379,7 @@ core::Expected<core::ArrayLayout> layoutOf(const FrameRequest& request, std::uin
         layout.columns = static_cast<int>(taxels / static_cast<std::uint64_t>(layout.rows));
     if (layout.taxels() != taxels)
         return wrong({}, has(),
-                     ArrayFramesText::tr("%1 = %2 rows x %3 columns; others with --rows and --columns")
+                     ArrayFramesText::tr("%1 = %2 rows x %3 columns, or others (--rows N --columns M)")
                          .arg(layout.taxels())
                          .arg(layout.rows)
                          .arg(layout.columns));

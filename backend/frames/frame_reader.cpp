@@ -97,9 +97,10 @@ core::Unexpected withOptions(core::Error error, const std::string& path, bool is
         return core::Unexpected(std::move(error));
     const QString options = tableOptions(path);
     if (!options.isEmpty())
-        error.expected = FrameReaderText::tr("%1; a table of another program is read with %2")
-                             .arg(QString::fromStdString(error.expected), options)
-                             .toStdString();
+        error.expected =
+            FrameReaderText::tr("%1; of a table of another program, which columns are times and taxels (%2)")
+                .arg(QString::fromStdString(error.expected), options)
+                .toStdString();
     return core::Unexpected(std::move(error));
 }
 

@@ -301,8 +301,9 @@ private:
             const auto value = fieldNumber(field, m_dialect.hasDecimalComma);
             if (!value || !std::isfinite(*value))
                 return wrongField(column, TableText::tr("%1 is not a time").arg(shownField(field)),
-                                  isoSeconds(field) ? TableText::tr("a number, or --time-unit iso")
-                                                    : TableText::tr("a finite number"));
+                                  isoSeconds(field)
+                                      ? TableText::tr("a number, or iso as the unit (--time-unit iso)")
+                                      : TableText::tr("a finite number"));
             return *value * m_unit_s;
         }
         const auto seconds = isoSeconds(field);

@@ -37,7 +37,8 @@ QString numberText(double value) {
 } // namespace
 
 QString withoutOptions(QString problem) {
-    static const QRegularExpression inBrackets(QStringLiteral(R"( \(--[^()]*\))"));
+    static const QRegularExpression inBrackets(
+        QStringLiteral(R"( ?[(\x{FF08}]--(?:[^()\x{FF08}\x{FF09}]|\([^()]*\))*[)\x{FF09}])"));
     return problem.remove(inBrackets);
 }
 

@@ -103,7 +103,7 @@ private:
                 return core::failed(core::ErrorKind::badInput,
                                     FrameImportText::tr("the frames span more than %1 years")
                                         .arg(static_cast<int>(kLongest_s / kYear_s)),
-                                    FrameImportText::tr("times in seconds; see --time-unit"),
+                                    FrameImportText::tr("times in seconds, or their unit (--time-unit UNIT)"),
                                     {m_file.toStdString()});
             m_block.time_ns.push_back(std::llround(since_s * 1e9));
             m_block.sourceTime_s.push_back(since_s);

@@ -41,12 +41,13 @@ INSTANTIATE_TEST_SUITE_P(
                   ":2:1: the recording has no frames (expected at least one row after the header)"},
         WrongFile{
             "noTime", "seconds,t0,t1\n0,1,2\n",
-            ":1:1: missing columns: time_s; the file has: seconds, t0, t1 (expected the columns time_s; a "
-            "table of another program is read with --columns 2..3 --time-column seconds --time-unit s)"},
+            ":1:1: missing columns: time_s; the file has: seconds, t0, t1 (expected the columns time_s; "
+            "of a table of another program, which columns are times and taxels (--columns 2..3 "
+            "--time-column seconds --time-unit s))"},
         WrongFile{
             "missingTaxel", "time_s,t0,t2\n0,1,2\n",
-            ":1:11: column 3 is \"t2\" (expected t1; a table of another program is read with --columns 2..3 "
-            "--time-column time_s --time-unit s)"},
+            ":1:11: column 3 is \"t2\" (expected t1; of a table of another program, which columns are times "
+            "and taxels (--columns 2..3 --time-column time_s --time-unit s))"},
         WrongFile{"otherLayout", "time_s,t0,t1,t2\n0,1,2,3\n",
                   ":1:14: the file has 3 taxel columns (expected 2 = 1 rows x 2 columns)"},
         WrongFile{"shortRow", "time_s,t0,t1\n0,1,2\n0.1,1\n",

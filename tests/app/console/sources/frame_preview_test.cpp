@@ -2,6 +2,7 @@
 #include "app/console/sources/frame_dialog.h"
 #include "app/console/sources/frame_preview.h"
 #include "app/console/sources/known_array.h"
+#include "backend/frames/frame_reader.h"
 #include "backend/frames/npz_writer.h"
 #include "widgets/base/colour_maps.h"
 
@@ -95,6 +96,54 @@ private slots:
         m_preview->setRequest(untimed);
         QTRY_VERIFY_WITH_TIMEOUT(!m_preview->findChild<QLabel*>(QStringLiteral("problem"))->isVisible(),
                                  kPatience_ms);
+    }
+
+    /// Every file below leaves something open that a field of the dialog asks for.
+    void theDialogSpeaksOfItsFields_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("asks");
+        QTest::newRow("shape") << QStringLiteral("flat.npz") << QStringLiteral("or others");
+        QTest::newRow("grid or vectors")
+            << QStringLiteral("ambiguous.npz") << QStringLiteral("for the grid, 4 rows and 3 columns");
+        QTest::newRow("axis") << QStringLiteral("packed.mat")
+                              << QStringLiteral(
+                                     "the dimension that counts the frames, the first or the last");
+        QTest::newRow("table") << QStringLiteral("other.csv")
+                               << QStringLiteral("which columns are times and taxels");
+    }
+
+    void theDialogSpeaksOfItsFields() {
+        QFETCH(const QString, file);
+        QFETCH(const QString, asks);
+        frames::FrameRequest open;
+        open.path = file.endsWith(QStringLiteral(".mat"))
+                        ? TELETA_SOURCE_DIR "/tests/data/frames/" + file.toStdString()
+                        : m_folder.filePath(file).toStdString();
+        if (!file.endsWith(QStringLiteral(".csv")))
+            open.rate_Hz = 100.0;
+        const std::vector<float> values(24, 1.0F);
+        const std::array flat{frames::NpzArray("frames", {2, 12}, std::span(values))};
+        const std::array ambiguous{frames::NpzArray("frames", {2, 4, 3}, std::span(values))};
+        if (file == QStringLiteral("flat.npz"))
+            QVERIFY(frames::writeNpz(open.path, flat));
+        if (file == QStringLiteral("ambiguous.npz"))
+            QVERIFY(frames::writeNpz(open.path, ambiguous));
+        const auto refused = frames::readFrames(open);
+        QVERIFY(!refused);
+        const QString why = QString::fromStdString(describe(refused.error()));
+        QVERIFY2(why.contains(QStringLiteral("--")), "the command line names its options");
+        const FrameDialog dialog(open, why);
+        const QString shown = dialog.findChild<QLabel*>(QStringLiteral("why"))->text();
+        QVERIFY2(shown.contains(asks) && !shown.contains(QStringLiteral("--")), qPrintable(shown));
+    }
+
+    /// Of a translation with wide brackets, and of a column whose name has brackets.
+    void optionsInBracketsAreLeftOut() {
+        QCOMPARE(console::withoutOptions(
+                     QString::fromUtf8("\xe6\x96\x87\xef\xbc\x88--layout FILE.toml\xef\xbc\x89\xe3\x80\x82")),
+                 QString::fromUtf8("\xe6\x96\x87\xe3\x80\x82"));
+        QCOMPARE(console::withoutOptions(QStringLiteral("columns (--columns 2..3 --time-column t(s)).")),
+                 QStringLiteral("columns."));
     }
 
     void theDialogShowsWhatItsFieldsSay() {
