@@ -62,6 +62,11 @@ bool TouchChannel::countsLosses() const {
     return counting == nullptr || counting->countsLosses();
 }
 
+std::uint64_t TouchChannel::lostAtSite() const {
+    const auto* counting = dynamic_cast<const core::LossCounting*>(m_source.get());
+    return counting != nullptr ? counting->lostAtSite() : 0;
+}
+
 void TouchChannel::drain() {
     FeatureSample sample;
     while (popSample(sample)) {
@@ -96,6 +101,8 @@ std::size_t TouchChannel::process(const std::function<void(const TouchSnapshot&)
     // go.
     core::BoundedQueue<core::SampleBlock>& blocks = m_source->blocks();
     for (std::size_t waiting = blocks.size(); waiting > 0 && blocks.pop(m_block); --waiting) {
+        m_lostBefore = m_block.firstFrame > m_nextFrame ? m_block.firstFrame - m_nextFrame : 0;
+        m_nextFrame = m_block.firstFrame + m_block.frames();
         if (m_block.channels != m_current.layout.values()) {
             m_block = {};
             continue;
@@ -218,6 +225,7 @@ void TouchChannel::takeTemperatures(std::span<const std::shared_ptr<const TouchT
 void TouchChannel::tap(const TouchTaps& taps) {
     const std::span<const std::int64_t> time_ns(m_block.time_ns);
     const std::span<const double> sourceTime_s(m_block.sourceTime_s);
+    taps.frames->lose(m_lostBefore);
     taps.frames->append(time_ns, sourceTime_s, std::span<const float>(m_block.values), m_block.discontinuity);
     taps.features->append(time_ns, sourceTime_s, std::span<const double>(m_recordedFeatures),
                           m_block.discontinuity);

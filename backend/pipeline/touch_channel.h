@@ -61,6 +61,8 @@ public:
     [[nodiscard]] core::DeviceStatus status() const override { return m_source->status(); }
     /// Whether it can be known how many frames the sensor lost (core::LossCounting).
     [[nodiscard]] bool countsLosses() const;
+    /// As core::LossCounting has it.
+    [[nodiscard]] std::uint64_t lostAtSite() const;
     [[nodiscard]] core::PlaybackControl* playback() override { return m_source->playback(); }
     [[nodiscard]] const std::shared_ptr<servo::ServoLink>& servo() const { return m_servo; }
 
@@ -177,6 +179,8 @@ private:
 
     TouchSnapshot m_current;
     core::SampleBlock m_block;
+    std::uint64_t m_nextFrame = 0;  ///< number of the frame after m_block
+    std::uint64_t m_lostBefore = 0; ///< frames between m_block and the one before it
     core::LatestExchange<TouchSnapshot> m_snapshots;
     core::BoundedQueue<FeatureSample> m_samples;
     std::atomic<std::uint64_t> m_framesProcessed{0};

@@ -197,8 +197,9 @@ void SiteStreams::send(Stream& stream) {
         joined.values.insert(joined.values.end(), block.values.begin(), block.values.end());
     }
     flush();
-    stream.next += stream.tap->dropped() - stream.lost;
-    stream.lost = stream.tap->dropped();
+    const std::uint64_t lost = stream.tap->lost() + stream.tap->dropped();
+    stream.next += lost - stream.lost;
+    stream.lost = lost;
 }
 
 void SiteStreams::sendJoints(Stream& stream, core::TappedFrames& block) {

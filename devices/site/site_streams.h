@@ -71,7 +71,7 @@ private:
         std::shared_ptr<core::StreamTap> tap;
         dds::AnyWriter writer;
         std::uint64_t next = 0; ///< number of the next sample or frame
-        std::uint64_t lost = 0; ///< of the tap, as told
+        std::uint64_t lost = 0; ///< by the source and in the tap, as told; these have numbers, too
     };
 
     SiteStreams(std::shared_ptr<const dds::Participant> participant, const SiteTopics& topics,

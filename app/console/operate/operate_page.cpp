@@ -239,8 +239,10 @@ std::vector<site_view::SiteBarState::Count> OperatePage::lossesOf(const site_lin
         const auto joints = item.joints();
         if (joints)
             losses.emplace_back(tr("%1: joints", "a source").arg(name), joints->jointStatus().framesLost);
+        const auto array = item.array();
+        const std::uint64_t atSite = array ? array->lostAtSite() : 0;
         if (!joints || item.arm())
-            losses.emplace_back(name, item.channel->status().framesLost);
+            losses.emplace_back(name, item.channel->status().framesLost - atSite);
     }
     return losses;
 }

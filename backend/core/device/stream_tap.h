@@ -89,10 +89,17 @@ public:
         return m_queue.tryPush(frames);
     }
 
+    /// Frames of the stream that its source lost; from the thread of append(), before what follows them.
+    void lose(std::uint64_t frames) {
+        if (!isClosed())
+            m_lost.fetch_add(frames, std::memory_order_relaxed);
+    }
+
     bool pop(TappedFrames& frames) { return m_queue.pop(frames); }
     /// Items that fit.
     [[nodiscard]] std::size_t capacity() const { return m_queue.capacity(); }
     [[nodiscard]] std::uint64_t dropped() const { return m_queue.overflow(); }
+    [[nodiscard]] std::uint64_t lost() const { return m_lost.load(std::memory_order_relaxed); }
 
     /// Frames that are appended from now on are discarded and not counted.
     void close() { m_closed.store(true, std::memory_order_relaxed); }
@@ -111,6 +118,7 @@ private:
     }
 
     BoundedQueue<TappedFrames> m_queue;
+    std::atomic<std::uint64_t> m_lost{0};
     std::atomic<bool> m_closed{false};
 };
 

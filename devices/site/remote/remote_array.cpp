@@ -84,11 +84,13 @@ void RemoteArray::take(const ros::TactileBlock& block) {
     // A block whose lengths contradict each other says nothing.
     if (source.size() != times.size() || values.size() != times.size() * channels)
         return;
-    const RemoteStream::Step step = m_stream.take(bootNameOf(block.site_boot), block.first, times.size());
+    const RemoteStream::Step step =
+        m_stream.take(bootNameOf(block.site_boot), block.first, times.size(), block.lost);
     if (!step.use)
         return;
     if (step.lost > 0)
         m_outlet.lose(step.lost);
+    m_lostAtSite += step.atSite; // after the status: whoever looks here first finds no more than that has
     core::SampleBlock taken;
     taken.channels = channels;
     for (const std::int64_t time_ns : times)

@@ -12,7 +12,9 @@
 #include "devices/site/remote/remote_stream.h"
 #include "devices/site/site_client.h"
 
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -28,7 +30,8 @@ class RemoteArray : public core::TactileSource, public core::ChipThermometers, p
 public:
     /// name: of the array, or of the arm that wears it. description: as the site describes it. chips: that
     /// tell the site how warm they are; 0: none. countsLosses: whether the site can know what the sensor
-    /// lost; what is lost on the way here is counted always. Error: unavailable, its topics cannot be opened.
+    /// lost, which counts from the first frame here on; what is lost on the way is counted always. Error:
+    /// unavailable, its topics cannot be opened.
     [[nodiscard]] static core::Expected<std::unique_ptr<RemoteArray>>
     open(std::shared_ptr<SiteClient> site, const std::string& name, core::SourceDescription description,
          std::size_t chips = 0, bool countsLosses = true);
@@ -43,6 +46,7 @@ public:
         return m_temperatures;
     }
     [[nodiscard]] bool countsLosses() const override { return m_countsLosses; }
+    [[nodiscard]] std::uint64_t lostAtSite() const override { return m_lostAtSite; }
 
 private:
     friend core::DeviceThread<RemoteArray>;
@@ -61,6 +65,7 @@ private:
     dds::Reader<ros::TactileBlock> m_reader;
     std::size_t m_chips;
     bool m_countsLosses;
+    std::atomic<std::uint64_t> m_lostAtSite{0};
     std::optional<dds::Reader<ros::TactileBlock>> m_temperatureReader; ///< nothing: there are no chips
     dds::WaitSet m_waitSet;
     core::SourceOutlet m_outlet;

@@ -22,15 +22,19 @@ public:
         bool use = false;           ///< the block is new
         bool discontinuity = false; ///< the site was started anew before it
         std::uint64_t lost = 0;     ///< samples that never came
+        std::uint64_t atSite = 0;   ///< of them, those that the site did not have either
     };
 
-    /// A block of count samples, the first of which has this number.
-    [[nodiscard]] Step take(const site::BootName& boot, std::uint64_t first, std::uint64_t count) {
+    /// A block of count samples, the first of which has this number. lost: what the site says that it had
+    /// lost by then.
+    [[nodiscard]] Step take(const site::BootName& boot, std::uint64_t first, std::uint64_t count,
+                            std::uint32_t lost = 0) {
         Step step;
         const bool other = m_boot && *m_boot != boot;
         if (!m_boot || other) {
             m_boot = boot;
             m_next = first;
+            m_lostAtSite = lost;
         }
         // What lies behind was overtaken on the way.
         if (count == 0 || first < m_next)
@@ -38,6 +42,9 @@ public:
         step.use = true;
         step.discontinuity = other;
         step.lost = first - m_next;
+        // The site's number begins at 0 again after 2^32.
+        step.atSite = std::min<std::uint64_t>(step.lost, std::uint32_t{lost - m_lostAtSite});
+        m_lostAtSite = lost;
         m_next = first + count;
         return step;
     }
@@ -63,6 +70,7 @@ public:
 private:
     std::optional<site::BootName> m_boot;
     std::uint64_t m_next = 0;
+    std::uint32_t m_lostAtSite = 0;
     std::int64_t m_last_ns = 0;
 };
 

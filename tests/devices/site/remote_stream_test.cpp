@@ -24,6 +24,23 @@ TEST(RemoteStream, countsWhatNeverCame) {
     EXPECT_EQ(stream.take(kFirst, 12, 1).lost, 0U);
 }
 
+TEST(RemoteStream, knowsWhatTheSiteHadLostBefore) {
+    RemoteStream stream;
+    EXPECT_EQ(stream.take(kFirst, 100, 4, 30).atSite, 0U) << "before it was heard";
+    const RemoteStream::Step both = stream.take(kFirst, 110, 2, 34);
+    EXPECT_EQ(both.lost, 6U);
+    EXPECT_EQ(both.atSite, 4U);
+    EXPECT_EQ(stream.take(kFirst, 113, 2, 34).atSite, 0U);
+    EXPECT_EQ(stream.take(kSecond, 5, 1, 7).atSite, 0U) << "the site was started anew";
+    EXPECT_EQ(stream.take(kSecond, 8, 1, 9).atSite, 2U);
+}
+
+TEST(RemoteStream, theSitesNumberOfLossesBeginsAgainAfter32Bits) {
+    RemoteStream stream;
+    (void)stream.take(kFirst, 0, 1, 0xFFFF'FFFEU);
+    EXPECT_EQ(stream.take(kFirst, 6, 1, 3).atSite, 5U);
+}
+
 TEST(RemoteStream, ignoresWhatComesTwiceOrWasOvertaken) {
     RemoteStream stream;
     (void)stream.take(kFirst, 0, 4);

@@ -125,12 +125,17 @@ private:
     void count() {
         m_joints = m_frames = m_told = {};
         m_jointsLost = m_console.armStatus().framesLost;
-        m_framesLost = m_array->status().framesLost;
+        m_framesLost = framesLost();
+    }
+    /// On the way.
+    [[nodiscard]] std::uint64_t framesLost() const {
+        const std::uint64_t atSite = m_array->lostAtSite();
+        return m_array->status().framesLost - atSite;
     }
     [[nodiscard]] nlohmann::json tell() {
         const site_link::SiteView view = m_console.view();
         m_joints.lost = m_console.armStatus().framesLost - m_jointsLost;
-        m_frames.lost = m_array->status().framesLost - m_framesLost;
+        m_frames.lost = framesLost() - m_framesLost;
         return {{"reached", view.reached},          {"mode", static_cast<int>(view.mode)},
                 {"controller", view.controller},    {"offered_to", view.offeredTo},
                 {"controls", m_console.controls()}, {"epoch", view.epoch},

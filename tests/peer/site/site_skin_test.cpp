@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A skin of magnetometers at a site, played by the board in Python: its consoles have its loads in newtons
-// and the temperatures of its chips.
+// Skins at a site, played by the board in Python: the consoles have the loads of magnetometers in newtons and
+// the temperatures of their chips, and what a sensor that counts its frames has lost.
 #include "app/sources/site_request.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/recording/recorder.h"
@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace teleta {
 namespace {
@@ -128,6 +130,61 @@ TEST_F(SiteSkin, itsConsolesHaveItsLoadsAndItsTemperaturesAndKnowThatItsLossesAr
         ASSERT_TRUE(extent && *extent) << name;
         EXPECT_GT((*extent)->frames, 10U) << name;
     }
+}
+
+/// The glove that comes as an example: its board counts its frames.
+class SiteGlove : public testing::Test {
+protected:
+    SiteGlove()
+        : m_site(133, "[[device]]\nid = \"practice\"\nscene = \":/scenes/teleoperation.toml\"\n"
+                      "[[device]]\nid = \"glove\"\nfile = \"glove.toml\"\n") {}
+
+    void SetUp() override {
+        std::ifstream example(TELETA_SOURCE_DIR "/resources/devices/taxels-glove.toml");
+        std::string text((std::istreambuf_iterator<char>(example)), {});
+        // The board's checksum is over the bytes that begin a frame, too.
+        for (const auto& [its, ours] :
+             {std::pair("/dev/ttyACM0", "port"), std::pair("from = 2", "from = 0")}) {
+            ASSERT_NE(text.find(its), std::string::npos);
+            text.replace(text.find(its), std::string(its).size(), ours);
+        }
+        std::ofstream(m_site.folder().filePath("glove.toml").toStdString()) << text;
+        m_board.start(QStringLiteral("/usr/bin/python3"),
+                      {QStringLiteral(TELETA_SOURCE_DIR "/tests/peer/taxels/board.py"), QStringLiteral("pty"),
+                       QStringLiteral("counted"), m_site.folder().filePath("port")});
+        ASSERT_TRUE(m_board.waitFor("ready ")) << m_board.errors();
+        m_site.start();
+    }
+
+    SiteProcess m_site;
+    PeerProcess m_board;
+    int m_next = 0; ///< frame of the board
+};
+
+TEST_F(SiteGlove, whatItsSensorLostIsLostAtItsConsoles) {
+    TestConsole console(m_site, "a");
+    const auto opened = app::openRemote(console.sharedClient(), {{}, "lab", "glove", console.sharedClient()});
+    ASSERT_TRUE(opened) << core::describe(opened.error());
+    const auto channel = std::dynamic_pointer_cast<pipeline::TouchChannel>(*opened);
+    ASSERT_TRUE(channel);
+    EXPECT_TRUE(channel->countsLosses());
+    core::Wakeup data;
+    channel->start(data);
+    const auto reads = [&](std::uint64_t frames) {
+        const std::uint64_t end = channel->framesProcessed() + frames;
+        return TestConsole::eventually([&] {
+            m_board.say("write " + std::to_string(m_next++));
+            channel->process();
+            return channel->framesProcessed() >= end;
+        });
+    };
+    ASSERT_TRUE(reads(5));
+    EXPECT_EQ(channel->lostAtSite(), 0U);
+    m_next += 7;
+    ASSERT_TRUE(reads(20));
+    EXPECT_EQ(channel->lostAtSite(), 7U);
+    EXPECT_GE(channel->status().framesLost, 7U);
+    channel->stop();
 }
 
 } // namespace
