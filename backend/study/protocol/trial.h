@@ -61,6 +61,7 @@ struct TrialResult {
     std::optional<double> trigger_ms;        ///< from the onset to the marker that was written; empty: none
     std::string recording;                   ///< file of the recording that has the trial; empty: none
     std::optional<double> recording_s;       ///< its onset on the recording's clock
+    std::optional<double> latencySpread_ms;  ///< of the bracelet's measured latency; empty: not measured
 
     [[nodiscard]] bool isComplete() const {
         return outcome != Outcome::aborted && outcome != Outcome::deviceError;

@@ -71,7 +71,8 @@ const std::vector<QStringList>& steps() {
          QStringLiteral("ALTER TABLE study ADD COLUMN observer TEXT NOT NULL DEFAULT ''")},
         {QStringLiteral(
             "CREATE TABLE deletion (key AUTOKEY, enrolment INTEGER NOT NULL, sessions INTEGER NOT NULL, "
-            "trials INTEGER NOT NULL, reason TEXT NOT NULL, time_utc TEXT NOT NULL)")}};
+            "trials INTEGER NOT NULL, reason TEXT NOT NULL, time_utc TEXT NOT NULL)")},
+        {QStringLiteral("ALTER TABLE trial ADD COLUMN device_latency_spread_ms FLOAT")}};
     return kSteps;
 }
 

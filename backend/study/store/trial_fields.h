@@ -36,6 +36,8 @@ void forEachField(Trial& trial, const Visit& visit) {
     visit("trigger_ms", result.trigger_ms);
     visit("recording", result.recording);
     visit("recording_s", result.recording_s);
+    // Since schema 8.
+    visit("device_latency_spread_ms", result.latencySpread_ms);
 }
 
 } // namespace teleta::study

@@ -80,8 +80,8 @@ ordered_json toJson(const PendingTrial& trial) {
 }
 
 bool isNewer(std::string_view field) {
-    constexpr std::array<std::string_view, 6> kNewer{"track",      "level",     "target",
-                                                     "trigger_ms", "recording", "recording_s"};
+    constexpr std::array<std::string_view, 7> kNewer{
+        "track", "level", "target", "trigger_ms", "recording", "recording_s", "device_latency_spread_ms"};
     return std::ranges::find(kNewer, field) != kNewer.end();
 }
 

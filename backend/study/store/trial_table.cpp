@@ -29,8 +29,8 @@ TrialCell numberCell(const std::optional<Number>& value) {
     return value ? numberCell(*value) : TrialCell{};
 }
 
-/// Of trial tables. 1 had no column after app_version.
-constexpr int kTrialSchema = 2;
+/// Of trial tables. 1 had no column after app_version, 2 had not the last one.
+constexpr int kTrialSchema = 3;
 
 /// What rows of every table begin with. session: null for a participant as a whole.
 TrialRow firstCells(const StudyHead& head, const Participant& participant, const SessionRecord* session,
@@ -180,7 +180,8 @@ std::vector<TrialRow> trialRows(const StudyHead& head, const Participant& partic
             TrialCell{},
             numberCell(result.trigger_ms),
             textCell(result.recording),
-            numberCell(result.recording_s)};
+            numberCell(result.recording_s),
+            numberCell(result.latencySpread_ms)};
         row.insert(row.end(), others);
         rows.push_back(std::move(row));
     }

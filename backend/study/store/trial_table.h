@@ -12,7 +12,7 @@
 namespace teleta::study {
 
 /// The columns of a trial table in every export.
-inline constexpr std::array<std::string_view, 47> kTrialColumns{
+inline constexpr std::array<std::string_view, 48> kTrialColumns{
     // The session.
     "schema", "participant_id", "session_id", "mode", "task", "condition", "condition_position",
     "sequence_row",
@@ -25,7 +25,9 @@ inline constexpr std::array<std::string_view, 47> kTrialColumns{
     "feedback", "masking_noise", "time_utc", "seed", "order_method", "stimulus_set_sha256", "app_version",
     // Since schema 2: levels, exclusions, markers and recordings.
     "design", "track", "level", "level_unit", "reference", "procedure", "excluded", "trigger_ms", "recording",
-    "recording_s"};
+    "recording_s",
+    // Since schema 3.
+    "device_latency_spread_ms"};
 
 /// A value of a trial table.
 struct TrialCell {

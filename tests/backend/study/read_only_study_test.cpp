@@ -232,8 +232,9 @@ TEST_F(ReadOnlyStudyTest, ofAnOlderProgramIsRefusedThereAndBroughtUpToDateElsewh
                   "ALTER TABLE trial DROP COLUMN frames_missed", "ALTER TABLE trial DROP COLUMN track",
                   "ALTER TABLE trial DROP COLUMN level", "ALTER TABLE trial DROP COLUMN target",
                   "ALTER TABLE trial DROP COLUMN trigger_ms", "ALTER TABLE trial DROP COLUMN recording",
-                  "ALTER TABLE trial DROP COLUMN recording_s", "ALTER TABLE study DROP COLUMN observer",
-                  "PRAGMA user_version = 3"})
+                  "ALTER TABLE trial DROP COLUMN recording_s",
+                  "ALTER TABLE trial DROP COLUMN device_latency_spread_ms",
+                  "ALTER TABLE study DROP COLUMN observer", "PRAGMA user_version = 3"})
                 ASSERT_TRUE(query.exec(step)) << step;
         }
         QSqlDatabase::removeDatabase("older");

@@ -85,16 +85,16 @@ TEST_F(StudyExportTest, psychDsHasTheNamesAndColumnsOfTheFormat) {
         "early_presses,onset_s,duration_s,device_latency_ms,device_faults,feedback,masking_noise,time_"
         "utc,seed,"
         "order_method,stimulus_set_sha256,app_version,design,track,level,level_unit,reference,procedure,"
-        "excluded,trigger_ms,recording,recording_s");
+        "excluded,trigger_ms,recording,recording_s,device_latency_spread_ms");
     const std::string seed = std::to_string(planSessions(store.head().protocol, 5, 0)[0].seed);
     const std::string common = ",none,2026-11-03T14:22:33.000Z," + seed + ",full_random," +
                                stimulusSetSha256(store.head().protocol) +
-                               ",0.1.0,identification,NA,NA,NA,NA,NA,NA,NA,NA,NA\n";
-    EXPECT_EQ(table.substr(table.find('\n') + 1), "2,P07,20261103T142233,run,shape,static,1,1,test,2,1,1,1,1,"
+                               ",0.1.0,identification,NA,NA,NA,NA,NA,NA,NA,NA,NA,NA\n";
+    EXPECT_EQ(table.substr(table.find('\n') + 1), "3,P07,20261103T142233,run,shape,static,1,1,test,2,1,1,1,1,"
                                                   "A,B,incorrect,0,1.25,-0.75,10,3,keyboard,;,0,"
                                                   "0,0,0,NA,0,0" +
                                                       common +
-                                                      "2,P07,20261103T142233,run,shape,static,1,1,test,2,2,2,"
+                                                      "3,P07,20261103T142233,run,shape,static,1,1,test,2,2,2,"
                                                       "1,1,C,NA,timeout,0,NA,NA,10,3,NA,NA,0,0,0,0,"
                                                       "NA,0,0" +
                                                       common);
@@ -196,10 +196,10 @@ TEST_F(StudyExportTest, theExcelCopyIsGuardedAndTheOthersAreAsTheyWere) {
     ASSERT_TRUE(exportStudy(store, ExportFormat::excel));
     ASSERT_TRUE(exportStudy(store, ExportFormat::psychds));
     const std::string id = "1234567890123456";
-    EXPECT_NE(read("excel/" + id + "_20261103T142233_shape.csv").find("\n2;'" + id + ";20261103T142233;run;"),
+    EXPECT_NE(read("excel/" + id + "_20261103T142233_shape.csv").find("\n3;'" + id + ";20261103T142233;run;"),
               std::string::npos);
     EXPECT_NE(read("data/subject-" + id + "/subject-" + id + "_session-20261103T142233_task-shape_data.csv")
-                  .find("\n2," + id + ",20261103T142233,run,"),
+                  .find("\n3," + id + ",20261103T142233,run,"),
               std::string::npos);
 }
 

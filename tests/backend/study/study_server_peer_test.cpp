@@ -233,7 +233,7 @@ TEST_F(StudyServerTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         ".deletion; ALTER TABLE " + m_study +
         ".trial DROP COLUMN frame_write_ms, DROP COLUMN frames_missed, DROP COLUMN track, DROP COLUMN "
         "level, DROP COLUMN target, DROP COLUMN trigger_ms, DROP COLUMN recording, DROP COLUMN "
-        "recording_s; ALTER TABLE " +
+        "recording_s, DROP COLUMN device_latency_spread_ms; ALTER TABLE " +
         m_study + ".study DROP COLUMN observer; DELETE FROM " + m_study +
         ".schema_version WHERE version > 2");
     const auto store = StudyStore::open(at());

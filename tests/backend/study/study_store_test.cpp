@@ -96,6 +96,7 @@ protected:
         result.planned.level = 0.1;
         result.planned.target = 1;
         result.trigger_ms = 0.75;
+        result.latencySpread_ms = 1.5;
         result.recording = "P07_1.teleta";
         result.recording_s = 12.625;
         return result;
@@ -163,6 +164,7 @@ TEST_F(StudyStoreTest, givesATrialBackAsItWas) {
     EXPECT_EQ(first.planned.level, 0.1);
     EXPECT_EQ(first.planned.target, 1U);
     EXPECT_EQ(first.trigger_ms, 0.75);
+    EXPECT_EQ(first.latencySpread_ms, 1.5);
     EXPECT_EQ(first.recording, "P07_1.teleta");
     EXPECT_EQ(first.recording_s, 12.625);
     EXPECT_EQ(trials->front().time, kNow);
@@ -176,6 +178,7 @@ TEST_F(StudyStoreTest, givesATrialBackAsItWas) {
     EXPECT_FALSE(second.planned.level);
     EXPECT_FALSE(second.planned.target);
     EXPECT_FALSE(second.trigger_ms);
+    EXPECT_FALSE(second.latencySpread_ms);
     EXPECT_EQ(second.recording, "");
     EXPECT_FALSE(second.recording_s);
     EXPECT_EQ(second.outcome, Outcome::timeout);
@@ -310,7 +313,8 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
         runSql(QStringLiteral("DROP TABLE %1").arg(QLatin1String(table)));
     runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frame_write_ms"));
     runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN frames_missed"));
-    for (const char* column : {"track", "level", "target", "trigger_ms", "recording", "recording_s"})
+    for (const char* column :
+         {"track", "level", "target", "trigger_ms", "recording", "recording_s", "device_latency_spread_ms"})
         runSql(QStringLiteral("ALTER TABLE trial DROP COLUMN %1").arg(QLatin1String(column)));
     runSql(QStringLiteral("ALTER TABLE study DROP COLUMN observer"));
     runSql(QStringLiteral("DROP TABLE answer"));
@@ -325,6 +329,7 @@ TEST_F(StudyStoreTest, bringsAnOlderStudyUpToDateAndKeepsItsTrials) {
     const SessionRecord session = store->sessions(participant)->front();
     EXPECT_EQ(store->trials(session)->size(), 1U);
     EXPECT_FALSE(store->trials(session)->front().result.frameWrite_ms);
+    EXPECT_FALSE(store->trials(session)->front().result.latencySpread_ms);
 }
 
 TEST_F(StudyStoreTest, keepsNotesOfASessionInTheirOrder) {

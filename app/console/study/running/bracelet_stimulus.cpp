@@ -122,6 +122,8 @@ StimulusState BraceletStimulus::state(std::int64_t now_ns) const {
     state.due_ns = bracelet.feltAt_ns(status.begun_ns + std::llround(1e9 * status.duration_s));
     state.frameWrite_ms = static_cast<double>(counters.writeLongest_ns) * 1e-6;
     state.framesMissed = counters.deadlineMisses + counters.framesLost;
+    if (std::isfinite(bracelet.latencySpread_s))
+        state.latencySpread_ms = 1e3 * bracelet.latencySpread_s;
     if (!m_stop.engaged() && m_station.isReady() && !m_station.isAnswering()) {
         state.failure = m_station.isTooHot() ? StimulusText::tr("the bracelet is too hot")
                                              : StimulusText::tr("the bracelet does not answer");

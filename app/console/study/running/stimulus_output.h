@@ -20,6 +20,7 @@ struct StimulusState {
     std::int64_t end_ns = 0;                      ///< when it ended; 0: not yet
     std::optional<double> frameWrite_ms = {};     ///< longest write of a frame; empty: nothing was written
     std::optional<std::size_t> framesMissed = {}; ///< deadlines without a frame, and frames that were lost
+    std::optional<double> latencySpread_ms = {};  ///< of the device's latency; empty: not measured
     QString failure = {};                         ///< why it was not shown properly; empty: no problem
 };
 

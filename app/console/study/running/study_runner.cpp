@@ -250,6 +250,7 @@ void StudyRunner::settle() {
         const StimulusState shown = m_output->state(m_clock());
         result->frameWrite_ms = shown.frameWrite_ms;
         result->framesMissed = shown.framesMissed;
+        result->latencySpread_ms = shown.latencySpread_ms;
         if (m_observer != nullptr)
             m_observer->trialEnded(*result, shown.onset_ns, m_clock());
         // The answer ends the stimulus.

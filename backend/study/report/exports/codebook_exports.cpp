@@ -78,6 +78,10 @@ constexpr std::array kTrials{
                 "no trigger was written"},
     CodebookRow{"recording", "File with the recorded streams of the session", "", "", "not recorded"},
     CodebookRow{"recording_s", "Onset of the stimulus on the recording's clock", "s", "", "not recorded"},
+    CodebookRow{
+        "device_latency_spread_ms",
+        "How much the measured latency_ms of a sound bracelet varies, from the shortest to the longest", "ms",
+        "", "not measured"},
 };
 
 constexpr std::array kQuestionnaire{

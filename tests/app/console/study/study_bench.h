@@ -22,6 +22,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -141,8 +142,10 @@ protected:
         return dynamic_cast<simulated::SimulatedBracelet&>(tapped.bracelet());
     }
     /// The bracelet is as one whose latency was measured; NaN: nobody did.
-    void setLatency(double latency_s) {
-        const_cast<core::BraceletDescription&>(bracelet().description()).measuredLatency_s = latency_s;
+    void setLatency(double latency_s, double spread_s = std::numeric_limits<double>::quiet_NaN()) {
+        auto& described = const_cast<core::BraceletDescription&>(bracelet().description());
+        described.measuredLatency_s = latency_s;
+        described.latencySpread_s = spread_s;
     }
     [[nodiscard]] std::vector<study::StoredTrial> kept(std::size_t participant = 0, std::size_t session = 0) {
         const auto store = study::StudyStore::open(studyFolder().toStdString());

@@ -115,11 +115,12 @@ private slots:
 
     void aTrialKeepsTheLatencyOfTheBracelet() {
         openStudy();
-        setLatency(0.25);
+        setLatency(0.25, 0.00125);
         beginSession();
         doTrial();
         QTRY_COMPARE_WITH_TIMEOUT(kept().size(), std::size_t(1), kPatience_ms);
         QVERIFY(kept()[0].result.deviceLatency_ms.value_or(0.0) >= 250.0);
+        QCOMPARE(kept()[0].result.latencySpread_ms, std::optional(1.25));
     }
 
     void fullDrivesAreUsedAndSavedOnlyAfterAQuestion() {

@@ -102,6 +102,7 @@ TEST_F(OldStudy, hasTheSameResultsFromItsStore) {
         EXPECT_FALSE(trial.result.planned.level);
         EXPECT_FALSE(trial.result.planned.target);
         EXPECT_FALSE(trial.result.trigger_ms);
+        EXPECT_FALSE(trial.result.latencySpread_ms);
     }
 }
 
@@ -142,10 +143,10 @@ TEST_F(OldStudy, isExportedAsBeforeWithMoreColumns) {
             oldLine.replace(at, 4, seed);
         if (lines++ == 0) {
             oldLine += ",design,track,level,level_unit,reference,procedure,excluded,trigger_ms,recording,"
-                       "recording_s";
+                       "recording_s,device_latency_spread_ms";
         } else {
-            oldLine[0] = '2';
-            oldLine += ",identification,NA,NA,NA,NA,NA,NA,NA,NA,NA";
+            oldLine[0] = '3';
+            oldLine += ",identification,NA,NA,NA,NA,NA,NA,NA,NA,NA,NA";
         }
         EXPECT_EQ(newLine, oldLine);
     }
