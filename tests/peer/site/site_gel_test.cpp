@@ -10,11 +10,20 @@
 #include "tests/app/cli/gel_video.h"
 #include "tests/peer/site/site_process.h"
 
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QStringList>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <memory>
+#include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -129,6 +138,104 @@ TEST_P(SiteGel, itsConsolesFollowItsMarkersFromTheRestThatTheSiteTook) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfPictures, SiteGel, testing::Values(40, 70, 90));
+
+/// What the program writes for these arguments.
+std::string written(const QStringList& arguments) {
+    QProcess program;
+    program.start(QStringLiteral(TELETA_PROGRAM), arguments);
+    EXPECT_TRUE(program.waitForFinished(60'000) && program.exitCode() == 0)
+        << program.readAllStandardError().toStdString();
+    return program.readAllStandardOutput().toStdString();
+}
+
+/// The rows of a CSV text, the names of the columns first.
+std::vector<std::vector<std::string>> cellsOf(std::istream& table) {
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(table, line);) {
+        rows.emplace_back();
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');)
+            rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+/// 3 N per mm of shear, beyond which nothing was pressed.
+void expectNewtons(const std::vector<std::vector<std::string>>& rows) {
+    ASSERT_GT(rows.size(), 1U);
+    const std::vector<std::string>& names = rows.front();
+    const auto column = [&names](const char* name) {
+        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    };
+    const std::size_t force = column("force_n");
+    ASSERT_EQ(force + 3, names.size());
+    EXPECT_EQ(names[force + 1], "force_n_se");
+    EXPECT_EQ(names[force + 2], "extrapolated");
+    double largest_N = 0.0;
+    for (const std::vector<std::string>& row : std::span(rows).subspan(1)) {
+        ASSERT_EQ(row.size(), names.size());
+        const double shear_m = std::stod(row[column("shear_proxy_x_m")]);
+        EXPECT_NEAR(std::stod(row[force]), 3000.0 * shear_m, 1e-6);
+        EXPECT_NEAR(std::stod(row[force + 1]), std::hypot(0.05, 10.0 * shear_m), 1e-6);
+        EXPECT_EQ(std::stod(row[force + 2]), shear_m > 0.0002 || shear_m < 0.0 ? 1.0 : 0.0);
+        largest_N = std::max(largest_N, std::stod(row[force]));
+    }
+    EXPECT_GT(largest_N, 0.5);
+}
+
+TEST(SiteGelLoads, areInNewtonsInWhatIsMadeOfTheRecordingsOfBothEnds) {
+    SiteProcess site(134, {});
+    site.recordInto(site.folder().path());
+    site.setDevices(devices(90));
+    writeGel(site);
+    std::ofstream(site.folder().filePath("gel.toml").toStdString())
+        << "source = \"press.avi\"\nloads = \"newtons.csv\"\n"
+        << test::kGelFile;
+    std::ofstream(site.folder().filePath("newtons.csv").toStdString())
+        << "load,signal,gain,gain_se,rest,least,greatest,scatter\nforce_n,shear_proxy_x_m,3000,10,0,0,0.0002,"
+           "0.05\n";
+    site.start();
+    QStringList files{site.folder().filePath("console.teleta")};
+    {
+        TestConsole console(site, "a");
+        const auto gel = openGel(console);
+        ASSERT_TRUE(gel);
+        auto started = recording::Recorder::start(files.front().toStdString(), {});
+        ASSERT_TRUE(started) << core::describe(started.error());
+        const std::shared_ptr<recording::Recorder> recorder = std::move(*started);
+        gel->record(recorder, "finger");
+        gel->start();
+        ASSERT_TRUE(TestConsole::eventually([&] {
+            pipeline::GelEvent event;
+            while (gel->popEvent(event)) {
+            }
+            return gel->update() && gel->snapshot().processed > 2 * kFrames;
+        }));
+        gel->stop();
+        gel->record(nullptr, {});
+        ASSERT_TRUE(recorder->stop());
+    }
+    site.send(SIGTERM);
+    ASSERT_TRUE(TestConsole::eventually([&] { return site.memory_MiB() == 0.0; }));
+    const QDir folder(site.folder().path());
+    for (const QString& name : folder.entryList({QStringLiteral("*.teleta")}))
+        if (!files.contains(folder.filePath(name)))
+            files << folder.filePath(name);
+    ASSERT_EQ(files.size(), 2) << "of the console and of the site";
+    for (const QString& file : files) {
+        SCOPED_TRACE(file.toStdString());
+        written({"export", file, "--csv", file + ".csv"});
+        written({"export", file, "--mcap", file + ".mcap", "--compression", "none"});
+        std::ifstream table((file + ".csv/finger-contacts.csv").toStdString());
+        expectNewtons(cellsOf(table));
+        std::istringstream replayed(written({"replay", file, "--stream", "finger-camera"}));
+        expectNewtons(cellsOf(replayed));
+        QFile mcap(file + ".mcap");
+        ASSERT_TRUE(mcap.open(QIODevice::ReadOnly));
+        EXPECT_TRUE(mcap.readAll().contains(
+            "float64 slip_index\nfloat64 force_n\nfloat64 force_n_se\nfloat64 extrapolated"));
+    }
+}
 
 TEST(SiteGelRest, isKnownToAConsoleThatComesWhileTheGelIsTouchedAndMayBeTakenThereAnew) {
     SiteProcess site(134, devices(90));

@@ -9,6 +9,7 @@
 #include "backend/core/failure.h"
 #include "backend/core/threads/wakeup.h"
 #include "backend/pipeline/recorded/recorded_sources.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/pipeline/touch_channel.h"
 #include "backend/recording/recording.h"
 #include "backend/vision/contacts/contact_rows.h"
@@ -24,14 +25,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -149,10 +148,10 @@ private:
     }
 
     /// Plays the pictures of a stream: take(rows, frame) for each, end(frames) after the last one.
-    template <std::size_t kColumns, typename Take, typename End>
+    template <typename Take, typename End>
     [[nodiscard]] core::Expected<void>
     replayPictures(const recording::Recording& recording, const pipeline::RecordedPictures& source,
-                   const std::array<std::string_view, kColumns>& columns, Take take, End end) {
+                   const std::vector<std::string>& columns, Take take, End end) {
         if (m_threshold)
             refuse("--threshold", ReplayText::tr("this is for arrays, but the stream \"%1\" is a camera's")
                                       .arg(QString::fromStdString(recording.streams()[source.stream].name)));
@@ -160,7 +159,7 @@ private:
         config.camera = source.description;
         config.referenceStream = source.referenceStream;
         TELETA_TRY(const auto player, replay::RecordedPlayer::open(std::move(config)));
-        TELETA_TRY(RowOutput rows, RowOutput::open(columns, m_output));
+        TELETA_TRY(RowOutput rows, openRows(columns, m_output));
 
         core::Wakeup data;
         replay::RecordedCamera camera(player);
@@ -211,7 +210,8 @@ private:
                 writeContacts(rows, first + static_cast<long long>(frame.number), frame.capture_s, tracker,
                               *contacts);
         };
-        return replayPictures(recording, source, vision::kContactColumns, take,
+        return replayPictures(recording, source,
+                              {vision::kContactColumns.begin(), vision::kContactColumns.end()}, take,
                               [&tracker](long long) { warnOfUnusableFrames(tracker); });
     }
 
@@ -234,9 +234,16 @@ private:
             if (!follower.problem().empty())
                 problem = follower.problem();
             for (const vision::GelContactState& contact : follower.contacts())
-                vision::writeGelContact(rows, static_cast<long long>(frame.number), frame.capture_s, contact);
+                vision::writeGelContact(rows, static_cast<long long>(frame.number), frame.capture_s, contact,
+                                        source.loads ? pipeline::loadValues(source.loads->at(contact))
+                                                     : std::vector<double>());
         };
-        return replayPictures(recording, source, vision::kGelContactColumns, take, [&](long long frames) {
+        std::vector<std::string> columns{vision::kGelContactColumns.begin(),
+                                         vision::kGelContactColumns.end()};
+        if (source.loads)
+            for (const recording::Column& column : pipeline::loadColumns(source.loads->calibration().loads))
+                columns.push_back(column.name);
+        return replayPictures(recording, source, columns, take, [&](long long frames) {
             if (!follower.hasReference())
                 warn(ReplayText::tr("The gel at rest could not be found, so there are no contacts. %1")
                          .arg(QString::fromStdString(problem)));
