@@ -4,6 +4,9 @@
 #include <QColor>
 #include <QPainter>
 #include <QPolygonF>
+#include <QRectF>
+
+#include <algorithm>
 
 namespace teleta::tactile {
 
@@ -14,6 +17,20 @@ inline void drawArrowHead(QPainter& painter, const QPointF& tip, const QPointF& 
     const QPointF side(-direction.y(), direction.x());
     painter.drawPolygon(QPolygonF{tip, tip - direction * size + side * (0.4 * size),
                                   tip - direction * size - side * (0.4 * size)});
+}
+
+inline void drawCross(QPainter& painter, const QPointF& centre, double radius) {
+    painter.drawLine(centre + QPointF(-radius, -radius), centre + QPointF(radius, radius));
+    painter.drawLine(centre + QPointF(-radius, radius), centre + QPointF(radius, -radius));
+}
+
+inline void drawHatch(QPainter& painter, const QRectF& rect, double spacing) {
+    for (double offset = 0.5 * spacing; offset < rect.width() + rect.height(); offset += spacing) {
+        const double x0 = std::max(0.0, offset - rect.height());
+        const double x1 = std::min(offset, rect.width());
+        painter.drawLine(QPointF(rect.left() + x0, rect.top() + offset - x0),
+                         QPointF(rect.left() + x1, rect.top() + offset - x1));
+    }
 }
 
 } // namespace teleta::tactile
