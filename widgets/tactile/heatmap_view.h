@@ -41,8 +41,8 @@ public:
     void setSnapshot(const pipeline::TouchSnapshot& snapshot);
     /// The loads that a calibration of the array gives of its frame; nothing: there are none.
     void setLoads(const std::optional<pipeline::LoadReading>& loads);
-    /// What the header said when it was last painted, see HeatmapPainter.
-    [[nodiscard]] const QString& headerText() const { return m_painter.headerText(); }
+    /// What the header said when it was last painted, see HeatmapPainter; empty while there is no frame.
+    [[nodiscard]] QString headerText() const { return m_content.valid ? m_painter.headerText() : QString(); }
     void clear();
     void setEmptyText(const QString& text);
     void setProvenance(base::Provenance provenance);

@@ -328,8 +328,11 @@ private slots:
     }
 
     void withoutDataTheViewSaysWhatToDo() {
+        (void)m_view->grab();
+        QVERIFY(m_view->headerText().contains(QStringLiteral("force")));
         m_view->clear();
         const QImage silent = m_view->grab().toImage();
+        QCOMPARE(m_view->headerText(), QString());
         m_view->setEmptyText(QStringLiteral("No source. Open a demo scene."));
         QVERIFY(m_view->grab().toImage() != silent);
     }
