@@ -10,10 +10,12 @@ namespace teleta::tactile {
 
 namespace {
 
-constexpr double kBeside_em = 9.5; ///< width of a legend beside the array
-constexpr double kLabels_em = 2.5; ///< width of the labels of contacts beside it
-constexpr double kNarrow_em = 8.0; ///< width of an array on which labels would hide its contacts
-constexpr double kGain = 1.1;      ///< of the size of its taxels, from which the legend goes beside it
+constexpr double kAside_em = 0.5;   ///< left and right of everything
+constexpr double kMostLegend = 0.3; ///< of the height, below the array
+constexpr double kBeside_em = 9.5;  ///< width of a legend beside the array
+constexpr double kLabels_em = 2.5;  ///< width of the labels of contacts beside it
+constexpr double kNarrow_em = 8.0;  ///< width of an array on which labels would hide its contacts
+constexpr double kGain = 1.1;       ///< of the size of its taxels, from which the legend goes beside it
 
 /// Device pixels of a taxel from which it is a whole number of them: of smaller ones, too much room would be
 /// lost.
@@ -47,16 +49,25 @@ core::ArrayLayout cellsOf(const core::TaxelLayout& taxels) {
     return {cells(y_m), cells(x_m), pitch_m};
 }
 
+double HeatmapLayout::legendRoom(const QRectF& bounds, const QFontMetricsF& metrics) {
+    return bounds.width() - 2.0 * kAside_em * metrics.height();
+}
+
 HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
                              const core::TaxelLayout& taxels, const HeatmapZoom& zoom,
-                             double devicePixelRatio)
+                             double devicePixelRatio, int legendLines)
     : m_taxels(taxels)
     , m_array(cellsOf(taxels)) {
     const double em = metrics.height();
-    const QRectF inner = bounds.adjusted(0.5 * em, 0.25 * em, -0.5 * em, -0.25 * em);
+    const QRectF inner = bounds.adjusted(kAside_em * em, 0.25 * em, -kAside_em * em, -0.25 * em);
     m_header = QRectF(inner.left(), inner.top(), inner.width(), 1.8 * em);
     m_readout = QRectF(inner.left(), inner.bottom() - 1.4 * em, inner.width(), 1.4 * em);
-    m_legend = m_readout.translated(0.0, -1.4 * em);
+    const double line = kLegendLine_em * em;
+    const double lines = std::clamp(std::floor(kMostLegend * inner.height() / line), 1.0,
+                                    static_cast<double>(std::max(1, legendLines)));
+    m_legend = m_readout;
+    m_legend.setTop(m_readout.top() - 0.2 * em - lines * line);
+    m_legend.setBottom(m_readout.top());
 
     const double axisLeft = metrics.horizontalAdvance(QStringLiteral("\u2212888")) + 1.2 * em;
     const double axisBottom = 2.3 * em;

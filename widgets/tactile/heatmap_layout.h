@@ -20,8 +20,15 @@ namespace teleta::tactile {
 /// more.
 class HeatmapLayout {
 public:
+    /// Height of a line of the legend below the array in em: heights of the font.
+    static constexpr double kLegendLine_em = 1.2;
+
+    /// legendLines: how many the legend needs below the array; it gets at most three tenths of the height.
     HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics, const core::TaxelLayout& taxels,
-                  const HeatmapZoom& zoom, double devicePixelRatio);
+                  const HeatmapZoom& zoom, double devicePixelRatio, int legendLines = 1);
+
+    /// Width of a line of the legend below the array.
+    [[nodiscard]] static double legendRoom(const QRectF& bounds, const QFontMetricsF& metrics);
 
     [[nodiscard]] const QRectF& header() const { return m_header; }
     /// Below the array; beside it where the array is narrow and so becomes larger.

@@ -309,12 +309,21 @@ void HeatmapPainter::paintContactLabels() {
         const double left = std::clamp((roomAbove ? above : below).x(), visible.left(),
                                        std::max(visible.left(), visible.right() - size.width()));
         QRectF chip(QPointF(left, top), size);
-        // Beside one that is there, or else not at all: the list of contacts has it.
+        // Beside those that are there, or else not at all: the list of contacts has it.
+        const auto isFree = [&] {
+            return chip.left() >= visible.left() && chip.right() <= visible.right() + 0.5 &&
+                   std::ranges::none_of(taken, [&](const QRectF& other) { return chip.intersects(other); });
+        };
         for (const QRectF& other : taken)
             if (chip.intersects(other))
                 chip.moveLeft(other.right() + 1.0);
-        if (chip.right() > visible.right() + 0.5 ||
-            std::ranges::any_of(taken, [&](const QRectF& other) { return chip.intersects(other); }))
+        if (!isFree()) {
+            chip.moveLeft(left);
+            for (const QRectF& other : taken)
+                if (chip.intersects(other))
+                    chip.moveRight(other.left() - 1.0);
+        }
+        if (!isFree())
             continue;
         taken.push_back(chip);
         paintChip(chip, contact.id, text);

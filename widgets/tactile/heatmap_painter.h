@@ -6,9 +6,12 @@
 #include "widgets/tactile/place_discs.h"
 
 #include <QCoreApplication>
+#include <QFont>
 #include <QImage>
 #include <QPainterPath>
 #include <QPalette>
+
+#include <vector>
 
 class QPainter;
 
@@ -24,6 +27,10 @@ public:
         paper,  ///< taxels as rectangles, sharp at any scale
     };
 
+    /// Lays content out: the legend has as many lines as its texts need.
+    [[nodiscard]] static HeatmapLayout layoutOf(const HeatmapContent& content, const QRectF& bounds,
+                                                const QFont& font, double devicePixelRatio);
+
     /// Draws content as laid out, with the painter's font and the colours of the palette.
     void paint(QPainter& painter, const HeatmapLayout& layout, const HeatmapContent& content,
                const QPalette& palette, Medium medium);
@@ -32,6 +39,13 @@ public:
     [[nodiscard]] const QString& headerText() const { return m_headerText; }
 
 private:
+    enum class Sign { cross, ring, axis, shear, threshold, dead };
+    struct LegendItem {
+        Sign sign = Sign::cross;
+        QString text;
+    };
+
+    [[nodiscard]] static std::vector<LegendItem> legendOf(const HeatmapContent& content);
     void paintTaxels(Medium medium);
     void paintAbsent();
     void paintDead();
@@ -50,6 +64,9 @@ private:
     void paintColourBar();
     void paintHeader();
     void paintLegend();
+    void paintLegendBelow(const std::vector<LegendItem>& items);
+    void paintLegendBeside(const std::vector<LegendItem>& items);
+    void paintSign(Sign sign, const QPointF& middle);
     void paintReadout();
     [[nodiscard]] double markRadius() const;
     [[nodiscard]] DiscEnds endsOf(const contact::Contact& contact) const;

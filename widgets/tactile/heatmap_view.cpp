@@ -195,8 +195,7 @@ void HeatmapView::setFixedRange(std::optional<double> top) {
 }
 
 HeatmapLayout HeatmapView::layoutNow() const {
-    return {QRectF(rect()), QFontMetricsF(font()), m_content.snapshot.layout, m_content.zoom,
-            devicePixelRatioF()};
+    return HeatmapPainter::layoutOf(m_content, QRectF(rect()), font(), devicePixelRatioF());
 }
 
 void HeatmapView::paintEvent(QPaintEvent*) {
@@ -220,8 +219,7 @@ base::Figure HeatmapView::figure() {
         HeatmapContent paper = content;
         paper.cursor.reset();
         paper.zoom.factor = 1.0; // the whole array, like the data
-        const QFontMetricsF metrics(font);
-        const HeatmapLayout layout(QRectF(QPointF(), size), metrics, paper.snapshot.layout, paper.zoom, 1.0);
+        const HeatmapLayout layout = HeatmapPainter::layoutOf(paper, QRectF(QPointF(), size), font, 1.0);
         if (paper.valid)
             HeatmapPainter().paint(painter, layout, paper, base::designedPalette(false),
                                    HeatmapPainter::Medium::paper);

@@ -13,8 +13,47 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace teleta::tactile {
+
+namespace {
+
+constexpr double kSign_em = 1.2; ///< width of a sign of the legend, to its text
+
+struct LegendPlace {
+    int line = 0;
+    double left = 0.0;
+};
+
+/// Width of a sign and its text. font: that of the heatmap.
+double widthOf(const QString& text, const QFont& font) {
+    return kSign_em * QFontMetricsF(font).height() +
+           base::tabularWidth(QFontMetricsF(base::sized(font, base::kSmallText)), text);
+}
+
+/// Puts items into lines, with gaps.
+std::vector<LegendPlace> inLines(const std::vector<double>& widths, double room, double gap) {
+    std::vector<LegendPlace> places;
+    LegendPlace next;
+    for (const double width : widths) {
+        if (next.left > 0.0 && next.left + width > room)
+            next = {next.line + 1, 0.0};
+        places.push_back(next);
+        next.left += width + gap;
+    }
+    return places;
+}
+
+/// Ends with dots where there is too little room.
+void drawLine(QPainter& painter, const QRectF& room, const QString& text) {
+    const QFontMetricsF metrics(painter.font());
+    const bool fits = base::tabularWidth(metrics, text) <= room.width();
+    base::drawTabularText(painter, room, Qt::AlignLeft | Qt::AlignVCenter,
+                          fits ? text : metrics.elidedText(text, Qt::ElideRight, room.width()));
+}
+
+} // namespace
 
 /// Wider than an array that is narrow.
 void HeatmapPainter::paintVeilText() {
@@ -79,78 +118,133 @@ void HeatmapPainter::paintHeader() {
     m_headerText = shown.join(QStringLiteral(", "));
 }
 
-void HeatmapPainter::paintLegend() {
-    const pipeline::TouchSnapshot& snapshot = m_content->snapshot;
-    const QRectF& rect = m_layout->legend();
-    const QColor ink = m_palette.color(QPalette::Text);
-    const QFont normal = m_painter->font();
-    m_painter->setFont(base::sized(normal, base::kSmallText));
-    const QFontMetricsF metrics(m_painter->font());
-    m_painter->setRenderHint(QPainter::Antialiasing);
-    QRectF line = rect;
-    line.setHeight(std::min(rect.height(), 1.4 * m_em));
-    const double radius = 0.3 * m_em;
-    const auto item = [&](const QString& text, auto&& symbol) {
-        const double textLeft = line.left() + 1.2 * m_em;
-        double width = 1.2 * m_em + base::tabularWidth(metrics, text) + m_em;
-        double lower = 0.0; // where a text goes on below its line
-        if (line.left() + width > rect.right() + m_em && m_layout->isLegendBeside()) {
-            const QRectF room(0.0, 0.0, rect.right() - textLeft, rect.height());
-            lower = metrics.boundingRect(room, Qt::TextWordWrap, text).height() - metrics.height();
-            width = rect.right() - line.left() + m_em;
-        }
-        if (line.left() + width > rect.right() + m_em || line.bottom() + lower > rect.bottom() + 0.5)
-            return;
-        m_painter->setPen(QPen(ink, std::max(1.5, 0.11 * m_em), Qt::SolidLine, Qt::RoundCap));
-        m_painter->setBrush(Qt::NoBrush);
-        symbol(QPointF(line.left() + 0.5 * m_em, line.center().y()));
-        m_painter->setPen(ink);
-        if (lower > 0.0)
-            m_painter->drawText(QRectF(textLeft, line.center().y() - 0.5 * metrics.height(),
-                                       rect.right() - textLeft, metrics.height() + lower),
-                                Qt::TextWordWrap, text);
-        else
-            base::drawTabularText(*m_painter, QRectF(textLeft, line.top(), width, line.height()),
-                                  Qt::AlignLeft | Qt::AlignVCenter, text);
-        if (m_layout->isLegendBeside())
-            line.translate(0.0, line.height() + lower);
-        else
-            line.setLeft(line.left() + width);
-    };
-    if (m_content->shows(Overlay::centreOfPressure))
-        item(tr("centre of pressure"), [&](const QPointF& p) { drawCross(*m_painter, p, 0.8 * radius); });
-    if (m_content->shows(Overlay::centreOfContact))
-        item(tr("centre of contact"), [&](const QPointF& p) { m_painter->drawEllipse(p, radius, radius); });
-    if (m_content->shows(Overlay::principalAxis))
-        item(tr("axis %1\u00b0").arg(m_content->angleText), [&](const QPointF& p) {
-            m_painter->drawLine(p - QPointF(0.5 * m_em, 0.0), p + QPointF(0.5 * m_em, 0.0));
-        });
-    if (m_content->hasShear() && m_content->shows(Overlay::shear) && hasRoomForShear(*m_layout))
-        item(tr("shear, a taxel's width is %1")
-                 .arg(base::withUnit(base::significantDigits(m_content->shearTop, 3), m_content->unit())),
-             [&](const QPointF& p) {
-                 drawShearArrow(*m_painter, p - QPointF(0.5 * m_em, 0.0), p + QPointF(0.4 * m_em, 0.0),
-                                0.35 * m_em);
-             });
-    item(tr("threshold %1")
-             .arg(base::withUnit(base::threeDigits(snapshot.threshold_N).remove(QChar(0x2007)),
-                                 m_content->unit())),
-         [&](const QPointF& p) {
-             m_painter->setPen(Qt::NoPen);
-             m_painter->setBrush(m_palette.color(QPalette::Text));
-             drawArrowHead(*m_painter, p + QPointF(0.25 * m_em, 0.0), {1.0, 0.0}, 0.5 * m_em);
-         });
-    if (snapshot.features.dead > 0)
-        item(tr("dead %1").arg(snapshot.features.dead), [&](const QPointF& p) {
-            const QRectF box(p - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
-            m_painter->setPen(QPen(ink, 1.0));
-            m_painter->drawRect(box);
-            drawHatch(*m_painter, box, 0.5 * radius);
-        });
-    m_painter->setRenderHint(QPainter::Antialiasing, false);
+std::vector<HeatmapPainter::LegendItem> HeatmapPainter::legendOf(const HeatmapContent& content) {
+    std::vector<LegendItem> items;
+    if (content.shows(Overlay::centreOfPressure))
+        items.push_back({Sign::cross, tr("centre of pressure")});
+    if (content.shows(Overlay::centreOfContact))
+        items.push_back({Sign::ring, tr("centre of contact")});
+    if (content.shows(Overlay::principalAxis))
+        items.push_back({Sign::axis, tr("axis %1\u00b0").arg(content.angleText)});
+    if (content.hasShear() && content.shows(Overlay::shear))
+        items.push_back({Sign::shear, tr("shear, a taxel's width is %1")
+                                          .arg(base::withUnit(base::significantDigits(content.shearTop, 3),
+                                                              content.unit()))});
+    items.push_back(
+        {Sign::threshold,
+         tr("threshold %1")
+             .arg(base::withUnit(base::threeDigits(content.snapshot.threshold_N).remove(base::kFigureSpace),
+                                 content.unit()))});
+    if (content.snapshot.features.dead > 0)
+        items.push_back({Sign::dead, tr("dead %1").arg(content.snapshot.features.dead)});
+    return items;
+}
 
+HeatmapLayout HeatmapPainter::layoutOf(const HeatmapContent& content, const QRectF& bounds, const QFont& font,
+                                       double devicePixelRatio) {
+    const QFontMetricsF metrics(font);
+    std::vector<double> widths;
+    for (const LegendItem& item : legendOf(content))
+        widths.push_back(widthOf(item.text, font));
+    const std::vector<LegendPlace> places =
+        inLines(widths, HeatmapLayout::legendRoom(bounds, metrics), metrics.height());
+    return {bounds, metrics, content.snapshot.layout, content.zoom, devicePixelRatio, places.back().line + 1};
+}
+
+void HeatmapPainter::paintLegend() {
+    std::vector<LegendItem> items = legendOf(*m_content);
+    if (!hasRoomForShear(*m_layout))
+        std::erase_if(items, [](const LegendItem& item) { return item.sign == Sign::shear; });
+    const QFont normal = m_painter->font();
+    m_painter->setRenderHint(QPainter::Antialiasing);
+    if (m_layout->isLegendBeside())
+        paintLegendBeside(items);
+    else
+        paintLegendBelow(items);
+    m_painter->setRenderHint(QPainter::Antialiasing, false);
     m_painter->setBrush(Qt::NoBrush);
     m_painter->setFont(normal);
+}
+
+void HeatmapPainter::paintLegendBelow(const std::vector<LegendItem>& items) {
+    const QRectF& rect = m_layout->legend();
+    std::vector<double> widths;
+    for (const LegendItem& item : items)
+        widths.push_back(widthOf(item.text, m_painter->font()));
+    const std::vector<LegendPlace> places = inLines(widths, rect.width(), m_em);
+    m_painter->setFont(base::sized(m_painter->font(), base::kSmallText));
+    const double height = HeatmapLayout::kLegendLine_em * m_em;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const QRectF line(rect.left() + places[i].left, rect.top() + 0.1 * m_em + places[i].line * height,
+                          rect.width() - places[i].left, height);
+        if (line.bottom() > rect.bottom())
+            return; // a low view
+        paintSign(items[i].sign, QPointF(line.left() + 0.5 * m_em, line.center().y()));
+        const QRectF room = line.adjusted(kSign_em * m_em, 0.0, 0.0, 0.0);
+        drawLine(*m_painter, room, items[i].text);
+    }
+}
+
+/// Each in a line of its own, and those that are longer in several.
+void HeatmapPainter::paintLegendBeside(const std::vector<LegendItem>& items) {
+    const QRectF& rect = m_layout->legend();
+    m_painter->setFont(base::sized(m_painter->font(), base::kSmallText));
+    const QFontMetricsF metrics(m_painter->font());
+    const double left = rect.left() + kSign_em * m_em;
+    const double width = rect.right() - left;
+    double top = rect.top();
+    for (const LegendItem& item : items) {
+        const double height =
+            metrics.boundingRect(QRectF(0.0, 0.0, width, rect.height()), Qt::TextWordWrap, item.text)
+                .height();
+        const double line = 1.4 * m_em;
+        if (top + line + height - metrics.height() > rect.bottom() + 0.5)
+            continue;
+        const double middle = top + 0.5 * line;
+        paintSign(item.sign, QPointF(rect.left() + 0.5 * m_em, middle));
+        const QRectF room(left, middle - 0.5 * metrics.height(), width, height);
+        if (height > metrics.height())
+            m_painter->drawText(room, Qt::TextWordWrap, item.text);
+        else
+            base::drawTabularText(*m_painter, room, Qt::AlignLeft | Qt::AlignVCenter, item.text);
+        top += line + height - metrics.height();
+    }
+}
+
+/// Leaves the pen for the text behind it.
+void HeatmapPainter::paintSign(Sign sign, const QPointF& middle) {
+    const QColor ink = m_palette.color(QPalette::Text);
+    const double radius = 0.3 * m_em;
+    const QPointF half(0.5 * m_em, 0.0);
+    m_painter->setPen(QPen(ink, std::max(1.5, 0.11 * m_em), Qt::SolidLine, Qt::RoundCap));
+    m_painter->setBrush(Qt::NoBrush);
+    switch (sign) {
+    case Sign::cross:
+        drawCross(*m_painter, middle, 0.8 * radius);
+        break;
+    case Sign::ring:
+        m_painter->drawEllipse(middle, radius, radius);
+        break;
+    case Sign::axis:
+        m_painter->drawLine(middle - half, middle + half);
+        break;
+    case Sign::shear:
+        drawShearArrow(*m_painter, middle - half, middle + 0.8 * half, 0.35 * m_em);
+        break;
+    case Sign::threshold:
+        m_painter->setPen(Qt::NoPen);
+        m_painter->setBrush(ink);
+        drawArrowHead(*m_painter, middle + 0.5 * half, {1.0, 0.0}, 0.5 * m_em);
+        break;
+    case Sign::dead: {
+        const QRectF box(middle - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
+        m_painter->setPen(QPen(ink, 1.0));
+        m_painter->drawRect(box);
+        drawHatch(*m_painter, box, 0.5 * radius);
+        break;
+    }
+    }
+    m_painter->setPen(ink);
 }
 
 void HeatmapPainter::paintReadout() {
@@ -160,7 +254,7 @@ void HeatmapPainter::paintReadout() {
     if (m_layout->isLegendBeside())
         m_painter->drawText(m_layout->readout(), Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
     else
-        base::drawTabularText(*m_painter, m_layout->readout(), Qt::AlignLeft | Qt::AlignVCenter, text);
+        drawLine(*m_painter, m_layout->readout(), text); // all of it is in the tool tip
 }
 
 } // namespace teleta::tactile

@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace teleta::view3d {
 
@@ -59,10 +61,21 @@ public:
                 paintText(label);
         for (const OverlayLabel& label : m_content.labels)
             if (label.boxed)
-                paintCard(label);
+                placeCard(label);
+        // No line runs over a card.
+        for (const Card& card : m_placed)
+            paintLeader(card);
+        for (const Card& card : m_placed)
+            paintCard(card);
     }
 
 private:
+    struct Card {
+        const OverlayLabel* label = nullptr;
+        QRectF rect;
+        bool tied = false; ///< to its point, by a line
+    };
+
     void paintBadge() {
         m_painter.setFont(m_content.font);
         // At the left: the colour bar is at the right.
@@ -82,45 +95,54 @@ private:
         const QSizeF room(m_metrics.horizontalAdvance(label.text), m_metrics.height());
         const QPointF middle = placed(label);
         const QRectF rect(middle - QPointF(0.5 * room.width(), 0.5 * room.height()), room);
+        if (m_legend.intersects(rect))
+            return;
         m_cards.push_back(rect);
         m_painter.drawText(rect, Qt::AlignCenter, label.text);
     }
 
-    void paintCard(const OverlayLabel& label) {
-        const double dot = 0.55 * m_metrics.height();
-        const double pad = 0.3 * m_metrics.height();
-        const QSizeF room(base::tabularWidth(m_metrics, label.text) + dot + 3.0 * pad,
+    [[nodiscard]] double dot() const { return 0.55 * m_metrics.height(); }
+    [[nodiscard]] double pad() const { return 0.3 * m_metrics.height(); }
+
+    void placeCard(const OverlayLabel& label) {
+        const QSizeF room(base::tabularWidth(m_metrics, label.text) + dot() + 3.0 * pad(),
                           m_metrics.height() * 1.2);
         const QPointF foot = placed(label);
-        QRectF rect = label.beside
-                          ? besides(foot, room)
-                          : QRectF(foot - QPointF(0.5 * room.width(), room.height() + 0.4 * m_em), room);
-        rect.moveLeft(
-            std::clamp(rect.left(), m_margin, std::max(m_margin, m_size.width() - m_margin - room.width())));
-        rect.moveTop(
-            std::clamp(rect.top(), m_margin, std::max(m_margin, m_size.height() - m_margin - room.height())));
-        for (std::size_t tries = 0; tries <= m_cards.size(); ++tries) {
-            const auto hit = std::find_if(m_cards.begin(), m_cards.end(),
-                                          [&](const QRectF& other) { return other.intersects(rect); });
-            if (hit == m_cards.end())
-                break;
-            rect.moveBottom(hit->top() - 2.0);
-        }
-        if (rect.top() < 0.0)
+        QRectF wanted = label.beside
+                            ? besides(foot, room)
+                            : QRectF(foot - QPointF(0.5 * room.width(), room.height() + 0.4 * m_em), room);
+        const QRectF picture = inner();
+        wanted.moveLeft(std::clamp(wanted.left(), picture.left(),
+                                   std::max(picture.left(), picture.right() - room.width())));
+        wanted.moveTop(std::clamp(wanted.top(), picture.top(),
+                                  std::max(picture.top(), picture.bottom() - room.height())));
+        const std::optional<QRectF> place = nearestFree(wanted);
+        if (!place)
             return; // no room left
-        m_cards.push_back(rect);
-        m_painter.setPen(QPen(label.colour, 1.0));
-        if (label.beside && !rect.contains(foot))
-            m_painter.drawLine(foot, {std::clamp(foot.x(), rect.left(), rect.right()),
-                                      std::clamp(foot.y(), rect.top(), rect.bottom())});
+        m_cards.push_back(*place);
+        m_placed.push_back({&label, *place, (label.beside || *place != wanted) && !place->contains(foot)});
+    }
+
+    void paintLeader(const Card& card) {
+        if (!card.tied)
+            return;
+        const QPointF foot = placed(*card.label);
+        m_painter.setPen(QPen(card.label->colour, 1.0));
+        m_painter.drawLine(foot, {std::clamp(foot.x(), card.rect.left(), card.rect.right()),
+                                  std::clamp(foot.y(), card.rect.top(), card.rect.bottom())});
+    }
+
+    void paintCard(const Card& card) {
+        const QRectF& rect = card.rect;
+        m_painter.setPen(QPen(card.label->colour, 1.0));
         m_painter.setBrush(base::translucent(m_content.colours.backgroundTop, 0.86F));
         m_painter.drawRoundedRect(rect, 3.0, 3.0);
         m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(label.colour);
-        m_painter.drawEllipse(QRectF(rect.left() + pad, rect.center().y() - 0.5 * dot, dot, dot));
+        m_painter.setBrush(card.label->colour);
+        m_painter.drawEllipse(QRectF(rect.left() + pad(), rect.center().y() - 0.5 * dot(), dot(), dot()));
         m_painter.setPen(m_content.colours.text);
-        base::drawTabularText(m_painter, rect.adjusted(2.0 * pad + dot, 0.0, -pad, 0.0),
-                              Qt::AlignLeft | Qt::AlignVCenter, label.text);
+        base::drawTabularText(m_painter, rect.adjusted(2.0 * pad() + dot(), 0.0, -pad(), 0.0),
+                              Qt::AlignLeft | Qt::AlignVCenter, card.label->text);
     }
 
     /// Away from the array, or outwards in its middle, since what the point belongs to is there; where there
@@ -140,20 +162,55 @@ private:
                                  QPointF(foot.x() - 0.5 * room.width(), foot.y() + away),
                                  QPointF(foot.x() - 0.5 * room.width(), foot.y() - away - room.height()),
                                  QPointF(isLeft ? right : left, level)};
-        const QRectF picture = QRectF(QPointF(), m_size).adjusted(m_margin, m_margin, -m_margin, -m_margin);
-        const double clear = 0.4 * m_em;
         for (const QPointF& corner : corners) {
             const QRectF rect(corner, room);
-            const bool isFree =
-                picture.contains(rect) &&
-                std::ranges::none_of(m_cards, [&](const QRectF& card) { return card.intersects(rect); }) &&
-                std::ranges::none_of(m_content.labels, [&](const OverlayLabel& other) {
-                    return other.boxed && rect.adjusted(-clear, -clear, clear, clear).contains(placed(other));
-                });
-            if (isFree)
+            if (isFree(rect) && isOffFeet(rect))
                 return rect;
         }
         return {corners.front(), room};
+    }
+
+    [[nodiscard]] QRectF inner() const {
+        return QRectF(QPointF(), m_size).adjusted(m_margin, m_margin, -m_margin, -m_margin);
+    }
+
+    [[nodiscard]] bool isFree(const QRectF& rect) const {
+        return inner().contains(rect) &&
+               std::ranges::none_of(m_cards, [&](const QRectF& card) { return card.intersects(rect); });
+    }
+
+    /// Whether it lies on no point that a card names.
+    [[nodiscard]] bool isOffFeet(const QRectF& rect) const {
+        const double clear = 0.4 * m_em;
+        return std::ranges::none_of(m_content.labels, [&](const OverlayLabel& other) {
+            return other.boxed && rect.adjusted(-clear, -clear, clear, clear).contains(placed(other));
+        });
+    }
+
+    /// The wanted place, or the nearest of those in steps from it that is free and, if there is one, hides no
+    /// point that another card names.
+    [[nodiscard]] std::optional<QRectF> nearestFree(const QRectF& wanted) const {
+        if (isFree(wanted))
+            return wanted;
+        const QSizeF step(0.25 * wanted.width(), 0.5 * wanted.height());
+        const int columns = static_cast<int>(m_size.width() / step.width());
+        const int rows = static_cast<int>(m_size.height() / step.height());
+        std::optional<QRectF> best;
+        double least = std::numeric_limits<double>::infinity();
+        for (int row = -rows; row <= rows; ++row)
+            for (int column = -columns; column <= columns; ++column) {
+                const QPointF way(column * step.width(), row * step.height());
+                const QRectF rect = wanted.translated(way);
+                const double cost = std::hypot(way.x(), way.y());
+                if (cost >= least || !isFree(rect))
+                    continue;
+                const double hiding = isOffFeet(rect) ? 0.0 : m_size.width() + m_size.height();
+                if (cost + hiding < least) {
+                    least = cost + hiding;
+                    best = rect;
+                }
+            }
+        return best;
     }
 
     void paintColourBar() {
@@ -214,52 +271,43 @@ private:
         return centre.x() + 2.3 * m_em + m_margin;
     }
 
-    [[nodiscard]] double longestLegend() const {
-        double longest = 0.0;
-        for (const LegendLine& line : m_content.legend)
-            longest = std::max(longest, m_metrics.horizontalAdvance(line.text));
-        return longest;
-    }
-
-    /// The scene may reach behind the legend.
-    void paintLegendGround(double left, double width) {
-        if (m_content.legend.empty())
-            return;
-        const double high = static_cast<double>(m_content.legend.size()) * m_metrics.height();
-        const double pad = 0.4 * m_em;
-        QColor ground = m_content.colours.backgroundBottom;
-        ground.setAlphaF(0.75F);
-        m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(ground);
-        m_painter.drawRoundedRect(
-            QRectF(left - pad, m_size.height() - m_margin - high - 0.5 * pad, width + 2.0 * pad, high + pad),
-            pad, pad);
-        m_painter.setBrush(Qt::NoBrush);
-    }
-
+    /// Lines that are too long go on below. The scene may reach behind the legend.
     void paintLegend(double left) {
-        if (m_size.height() < kLegendFrom * m_em)
+        if (m_content.legend.empty() || m_size.height() < kLegendFrom * m_em)
             return; // the scene needs the room
-        m_painter.setPen(m_content.colours.faintText);
-        double bottom = m_size.height() - m_margin;
-        const double width = m_size.width() - left - m_margin;
         const bool hasArrows = std::ranges::any_of(
             m_content.legend, [](const LegendLine& line) { return line.arrow != LegendLine::Arrow::none; });
         const double indent = hasArrows ? (kSign_em + 0.4) * m_em : 0.0;
-        paintLegendGround(left, std::min(width, indent + longestLegend()));
-        m_painter.setPen(m_content.colours.faintText);
-        for (auto line = m_content.legend.crbegin(); line != m_content.legend.crend(); ++line) {
-            QRectF place(left, bottom - m_metrics.height(), width, m_metrics.height());
-            if (line->arrow != LegendLine::Arrow::none) {
-                const QRectF sign(place.topLeft(), QSizeF(kSign_em * m_em, place.height()));
-                line->arrow == LegendLine::Arrow::straight ? paintStraightArrow(sign)
-                                                           : paintTurnedArrow(sign);
-                m_painter.setPen(m_content.colours.faintText);
+        const QRectF room(left + indent, 0.0, m_size.width() - left - indent - m_margin, m_size.height());
+        std::vector<QRectF> places;
+        double high = 0.0;
+        double wide = 0.0;
+        for (const LegendLine& line : m_content.legend) {
+            const QRectF text = m_metrics.boundingRect(room, Qt::TextWordWrap, line.text);
+            places.emplace_back(room.left(), high, room.width(), text.height());
+            high += text.height();
+            wide = std::max(wide, text.width());
+        }
+        const double pad = 0.4 * m_em;
+        const double top = m_size.height() - m_margin - high;
+        const QRectF ground(left - pad, top - 0.5 * pad, indent + wide + 2.0 * pad, high + pad);
+        m_cards.push_back(ground);
+        m_legend = ground;
+        QColor colour = m_content.colours.backgroundBottom;
+        colour.setAlphaF(0.75F);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(colour);
+        m_painter.drawRoundedRect(ground, pad, pad);
+        m_painter.setBrush(Qt::NoBrush);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const LegendLine& line = m_content.legend[i];
+            const QRectF place = places[i].translated(0.0, top);
+            if (line.arrow != LegendLine::Arrow::none) {
+                const QRectF sign(left, place.top(), kSign_em * m_em, m_metrics.height());
+                line.arrow == LegendLine::Arrow::straight ? paintStraightArrow(sign) : paintTurnedArrow(sign);
             }
-            place.setLeft(left + indent);
-            m_painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
-                               m_metrics.elidedText(line->text, Qt::ElideRight, place.width()));
-            bottom -= m_metrics.height();
+            m_painter.setPen(m_content.colours.faintText);
+            m_painter.drawText(place, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, line.text);
         }
     }
 
@@ -299,6 +347,8 @@ private:
     QFontMetricsF m_metrics;
     double m_em;
     double m_margin;
+    QRectF m_legend;
+    std::vector<Card> m_placed;
     std::vector<QRectF> m_cards; ///< and what else is not to be covered
 };
 

@@ -180,6 +180,41 @@ private slots:
         QVERIFY(with.image.copy(map.legend().toRect()) != without.image.copy(map.legend().toRect()));
     }
 
+    /// Sizes of the heatmap in a window of 1024 x 700: of a source with an arm, and without.
+    void theWholeLegendHasRoomInASmallWindow_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("with an arm") << QSize(244, 265);
+        QTest::newRow("without") << QSize(376, 265);
+    }
+    void theWholeLegendHasRoomInASmallWindow() {
+        QFETCH(QSize, size);
+        const TaxelLayout layout(ArrayLayout{4, 14, 0.004}, 3);
+        std::vector<float> raw(layout.values(), 0.1F);
+        for (std::size_t i = 2; i < raw.size(); i += 3)
+            raw[i] = -1.0F;
+        pipeline::TouchSnapshot snapshot = snapshotOf(layout, raw);
+        snapshot.features.dead = 1;
+        HeatmapView view;
+        view.resize(size);
+        view.setSnapshot(snapshot);
+        const HeatmapLayout map = view.layoutNow();
+        QVERIFY(!map.isLegendBeside());
+        QVERIFY(map.taxelSide() >= 6.0); // or else there are no arrows
+        QVERIFY(map.legend().top() > map.visible().bottom());
+        const auto legend = [&] { return view.grab().toImage().copy(map.legend().toRect()); };
+        const QImage whole = legend();
+        for (const Overlay overlay :
+             {Overlay::centreOfPressure, Overlay::centreOfContact, Overlay::principalAxis, Overlay::shear}) {
+            view.overlayAction(overlay)->setChecked(false);
+            QVERIFY2(legend() != whole, qPrintable(view.overlayAction(overlay)->text()));
+            view.overlayAction(overlay)->setChecked(true);
+        }
+        // The last of all; that of the shear is not cut.
+        snapshot.features.dead = 2;
+        view.setSnapshot(snapshot);
+        QVERIFY(legend() != whole);
+    }
+
     void shearStandsInTheReadOutAndInTheData() {
         View picture(snapshotOf(TaxelLayout(ArrayLayout{1, 1, 0.004}, 3), {0.3F, -0.4F, -1.0F}));
         QTest::keyClick(&picture.view, Qt::Key_Right);
