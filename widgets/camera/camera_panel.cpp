@@ -195,7 +195,7 @@ void CameraPanel::retranslate() {
     m_rungs->setWhatsThis(QStringLiteral("<p>%1</p>").arg(m_rungs->toolTip()) + all);
     m_arrows->setText(tr("&Displacement"));
     m_arrows->setToolTip(tr("Show how far the pattern on the skin has moved"));
-    m_reference->setText(tr("&New reference"));
+    m_reference->setText(tr("Ne&w reference"));
     m_reference->setToolTip(tr("Take the next picture as the reference: nothing may touch the tube"));
     m_pause->setText(m_pause->isChecked() ? tr("Resume") : tr("Pause"));
     m_pause->setToolTip(tr("Freeze the picture; contacts are still tracked (Space)"));

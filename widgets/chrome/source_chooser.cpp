@@ -133,7 +133,7 @@ void SourceChooser::rebuildMenu() {
 void SourceChooser::retranslate() {
     m_box->setAccessibleName(tr("Source"));
     m_box->setToolTip(tr("The source that the views show"));
-    m_open->setText(tr("&Open"));
+    m_open->setText(tr("Ope&n"));
     m_open->setToolTip(tr("Open a simulated scene or a recording"));
     m_close->setIcon(base::themeIcon(base::Icon::close));
     m_close->setAccessibleName(tr("Close source"));

@@ -216,7 +216,7 @@ void ChannelSettingsPanel::retranslate() {
     m_automatic->setText(tr("A&utomatic threshold"));
     m_automatic->setToolTip(
         tr("Finds the lowest useful threshold in each frame; the value above is its lower bound"));
-    describe(m_noiseHeight, tr("&Noise height:"),
+    describe(m_noiseHeight, tr("No&ise height:"),
              tr("Two peaks count as one contact when the lower one rises less than this above the saddle "
                 "between them, in percent of the highest peak of the frame"));
     describe(m_minimumTaxels, tr("&Smallest contact:"), tr("In taxels; smaller contacts are ignored"));

@@ -45,7 +45,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now,
     m_folder->setPlaceholderText(usualFolder);
     m_folder->setClearButtonEnabled(true);
     m_folder->setMinimumWidth(base::em(this, 24));
-    auto* browse = base::named<QPushButton>("browse", tr("&Choose\u2026"), this);
+    auto* browse = base::named<QPushButton>("browse", tr("C&hoose\u2026"), this);
     browse->setAutoDefault(false);
     connect(browse, &QPushButton::clicked, this, [this, usualFolder] {
         const QString folder = m_folder->text().isEmpty() ? usualFolder : m_folder->text();

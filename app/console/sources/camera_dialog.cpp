@@ -25,7 +25,7 @@ CameraDialog::CameraDialog(const app::CameraRequest& last, QWidget* parent,
     : QDialog(parent)
     , m_source(new CameraSourceField(QString::fromStdString(last.source), cameras))
     , m_model(base::named<QLineEdit>("cameraModel", QString::fromStdString(last.modelPath)))
-    , m_loop(new QCheckBox(tr("Start &again at the end"))) {
+    , m_loop(new QCheckBox(tr("&Start again at the end"))) {
     setWindowTitle(tr("Open camera"));
     m_model->setToolTip(tr("The camera file that the page Calibrate or teleta calibrate has written; without "
                            "one the camera is only looked at"));
@@ -42,7 +42,7 @@ CameraDialog::CameraDialog(const app::CameraRequest& last, QWidget* parent,
     model->addWidget(m_model, 1);
     model->addWidget(choose);
     auto* form = new QFormLayout;
-    form->addRow(tr("&Camera or video:"), m_source);
+    form->addRow(tr("Camera or &video:"), m_source);
     base::addFormRow(*form, tr("Ca&libration:"), model, m_model);
     form->addRow(QString(), m_loop);
 

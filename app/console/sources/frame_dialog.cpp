@@ -124,7 +124,7 @@ FrameDialog::FrameDialog(const frames::FrameRequest& request, const QString& why
     form->addRow(tr("&Dimension that counts the frames:"), m_axis);
     base::addFormRow(*form, tr("&Shape:"), sizeRow, m_rows);
     form->addRow(tr("&Pitch:"), m_pitch_mm);
-    form->addRow(tr("&Columns of the taxels:"), m_taxelColumns);
+    form->addRow(tr("Co&lumns of the taxels:"), m_taxelColumns);
     form->addRow(tr("Column of the &times:"), m_timeColumn);
     form->addRow(tr("&Unit of the times:"), m_timeUnit);
     form->addRow(tr("&Rate, without times:"), m_rate_Hz);

@@ -47,7 +47,7 @@ RecordingDialog::RecordingDialog(app::CsvRequest request, QWidget* parent)
     , m_threshold(makeNumber(m_request.threshold_N, 1e-6, 1e9, 3))
     , m_unit(new QLineEdit(QString::fromStdString(m_request.loadUnit)))
     , m_rate_Hz(makeNumber(m_request.rate_Hz, 0.0, 100'000.0, 1))
-    , m_loop(new QCheckBox(tr("Start &again at the end")))
+    , m_loop(new QCheckBox(tr("&Start again at the end")))
     , m_verdict(new QLabel) {
     setWindowTitle(tr("Open recording"));
     for (QSpinBox* box : {m_rows, m_columns})

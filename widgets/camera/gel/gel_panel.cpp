@@ -155,7 +155,7 @@ void GelPanel::retranslate() {
     m_enlargementName->setText(tr("&Enlarged"));
     m_enlargement->setAccessibleName(tr("Enlargement of the arrows"));
     m_enlargement->setToolTip(tr("How many times longer than the displacement the arrows are"));
-    m_reference->setText(tr("&New rest"));
+    m_reference->setText(tr("Ne&w rest"));
     m_reference->setToolTip(tr("Take the next pictures as the gel at rest: nothing may touch it"));
     m_pause->setText(m_pause->isChecked() ? tr("Resume") : tr("Pause"));
     m_pause->setToolTip(tr("Freeze the picture; markers are still followed (Space)"));

@@ -49,7 +49,7 @@ LiveProbingDialog::LiveProbingDialog(const QString& last, const vision::HoleGrid
     m_angle->setToolTip(tr("Angle of the first hole of each ring, from the x axis towards y"));
 
     auto* form = new QFormLayout;
-    form->addRow(tr("&Camera or video:"), m_source);
+    form->addRow(tr("Camera or &video:"), m_source);
     form->addRow(tr("Holes per &ring:"), m_around);
     form->addRow(tr("Ri&ngs:"), m_along);
     form->addRow(tr("&First ring at z ="), m_first);

@@ -79,7 +79,7 @@ NewStudyDialog::NewStudyDialog(study::Protocol protocol, const QString& folder, 
     auto* choice = new QHBoxLayout;
     choice->addWidget(m_protocol, 1);
     choice->addWidget(fromFile);
-    auto* browse = new QPushButton(tr("&Choose\u2026"), this);
+    auto* browse = new QPushButton(tr("C&hoose\u2026"), this);
     auto* place = new QHBoxLayout;
     place->addWidget(m_folder, 1);
     place->addWidget(browse);

@@ -93,7 +93,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     , m_noise(new QComboBox(this))
     , m_level_dBA(makeNumber(protocol.noise_dBA, 0.0, kLoudest_dBA, 1, QStringLiteral(" dBA")))
     , m_trigger(base::named<TriggerEditor>("protocolTrigger", protocol.trigger, this))
-    , m_record(base::named<QCheckBox>("recordSessions", tr("Re&cord each session"), this))
+    , m_record(base::named<QCheckBox>("recordSessions", tr("Record each sess&ion"), this))
     , m_taskRows(new QVBoxLayout)
     , m_questionnaireRows(new QVBoxLayout)
     , m_exclusions(new ExclusionEditor(protocol.exclusions, m_content))
@@ -139,13 +139,13 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     form->addRow(tr("Aut&hors"), m_authors);
     addRow(tr("&Stimulus, at most"), {m_stimulus_s.box});
     addRow(tr("Answer &within"), {m_limit_s.box, m_window});
-    addRow(tr("May be felt a&gain"), {m_replays});
+    addRow(tr("May &be felt again"), {m_replays});
     addRow(tr("Or&der"), {m_order});
     addRow(tr("&Practice"), {m_practice.repetitions, m_practice.feedback, m_practice.diagram});
     addRow(tr("&Test"), {m_test.repetitions, m_test.feedback, m_test.diagram});
     addRow(tr("Rests"), {m_restEvery, m_rest_s.box});
     addRow(tr("&Masking noise"), {m_noise, m_level_dBA.box});
-    addRow(tr("Tr&iggers"), {m_trigger});
+    addRow(tr("Tri&ggers"), {m_trigger});
     form->addRow(m_record);
 
     auto* column = new QVBoxLayout(m_content);
@@ -188,7 +188,7 @@ ProtocolDialog::ProtocolDialog(const study::Protocol& protocol, QWidget* parent)
     connect(button(tr("The pape&r's"), QDialogButtonBox::ResetRole), &QPushButton::clicked, this,
             &ProtocolDialog::paperRequested);
     m_save = button(tr("Sa&ve as\u2026"), QDialogButtonBox::ActionRole);
-    m_make = button(tr("Make a st&udy\u2026"), QDialogButtonBox::ActionRole);
+    m_make = button(tr("Ma&ke a study\u2026"), QDialogButtonBox::ActionRole);
     m_make->setObjectName(QStringLiteral("makeStudy"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(area, 1);
