@@ -18191,7 +18191,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Détecteur</translation>
     </message>
     <message>
-        <source>&amp;New reference</source>
+        <source>Ne&amp;w reference</source>
         <translation>&amp;Nouvelle référence</translation>
     </message>
 </context>
@@ -18459,7 +18459,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Figer l’image&#xa0;; les marqueurs sont toujours suivis (Espace)</translation>
     </message>
     <message>
-        <source>&amp;New rest</source>
+        <source>Ne&amp;w rest</source>
         <translation>&amp;Nouveau repos</translation>
     </message>
 </context>
@@ -19238,8 +19238,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Source</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>&amp;Ouvrir</translation>
+        <source>Ope&amp;n</source>
+        <translation>Ou&amp;vrir</translation>
     </message>
     <message>
         <source>Open a simulated scene or a recording</source>
@@ -19711,8 +19711,8 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::console::CameraDialog</name>
     <message>
-        <source>Start &amp;again at the end</source>
-        <translation>Recommencer à la &amp;fin</translation>
+        <source>&amp;Start again at the end</source>
+        <translation>&amp;Recommencer à la fin</translation>
     </message>
     <message>
         <source>Open camera</source>
@@ -19723,7 +19723,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>…</translation>
     </message>
     <message>
-        <source>&amp;Camera or video:</source>
+        <source>Camera or &amp;video:</source>
         <translation>&amp;Caméra ou vidéo&#xa0;:</translation>
     </message>
     <message>
@@ -20037,7 +20037,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Add a r&amp;ule</source>
-        <translation>Ajouter une &amp;règle</translation>
+        <translation>A&amp;jouter une règle</translation>
     </message>
     <message>
         <source>Rules apply from top to bottom, each to what is left. Nothing is deleted: results are shown with the rules, and without them</source>
@@ -20133,7 +20133,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Rate:</source>
-        <translation>F&amp;réquence&#xa0;:</translation>
+        <translation>&amp;Cadence&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Values:</source>
@@ -20396,7 +20396,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Pas :</translation>
     </message>
     <message>
-        <source>&amp;Columns of the taxels:</source>
+        <source>Co&amp;lumns of the taxels:</source>
         <translation>&amp;Colonnes des taxels :</translation>
     </message>
     <message>
@@ -20421,7 +20421,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>In contact &amp;from:</source>
-        <translation>En contact à par&amp;tir de :</translation>
+        <translation>En contact à pa&amp;rtir de :</translation>
     </message>
     <message>
         <source>0.2 N, or one count</source>
@@ -20441,7 +20441,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>File of the &amp;array:</source>
-        <translation>Fichier de la m&amp;atrice :</translation>
+        <translation>Fichier de la &amp;matrice :</translation>
     </message>
     <message>
         <source>File of the array</source>
@@ -21048,7 +21048,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Palper avec une caméra</translation>
     </message>
     <message>
-        <source>&amp;Camera or video:</source>
+        <source>Camera or &amp;video:</source>
         <translation>&amp;Caméra ou vidéo&#xa0;:</translation>
     </message>
     <message>
@@ -21699,7 +21699,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Simulée&#xa0;: pas de personnes, marquée SIMULÉ partout</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
+        <source>C&amp;hoose…</source>
         <translation>C&amp;hoisir…</translation>
     </message>
     <message>
@@ -22426,8 +22426,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Une dernière colonne, utc_s, en secondes depuis 1970</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Choisir…</translation>
+        <source>C&amp;hoose…</source>
+        <translation>C&amp;hoisir…</translation>
     </message>
     <message>
         <source>Folder of recordings</source>
@@ -22521,7 +22521,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Réponse en moins de</translation>
     </message>
     <message>
-        <source>May be felt a&amp;gain</source>
+        <source>May &amp;be felt again</source>
         <translation>Peut être sent&amp;i à nouveau</translation>
     </message>
     <message>
@@ -22557,7 +22557,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Enre&amp;gistrer sous…</translation>
     </message>
     <message>
-        <source>Make a st&amp;udy…</source>
+        <source>Ma&amp;ke a study…</source>
         <translation>Créer une ét&amp;ude…</translation>
     </message>
     <message>
@@ -22721,7 +22721,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Ajouter une tâche à ni&amp;veaux</translation>
     </message>
     <message>
-        <source>Re&amp;cord each session</source>
+        <source>Record each sess&amp;ion</source>
         <translation>Enregistrer c&amp;haque session</translation>
     </message>
     <message>
@@ -22733,7 +22733,7 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Auteurs (&amp;p)</translation>
     </message>
     <message>
-        <source>Tr&amp;iggers</source>
+        <source>Tri&amp;ggers</source>
         <translation>Déc&amp;lencheurs</translation>
     </message>
 </context>
@@ -22997,8 +22997,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Les &amp;valeurs diminuent sous charge</translation>
     </message>
     <message>
-        <source>Start &amp;again at the end</source>
-        <translation>Re&amp;commencer à la fin</translation>
+        <source>&amp;Start again at the end</source>
+        <translation>&amp;Recommencer à la fin</translation>
     </message>
     <message>
         <source>Open recording</source>
@@ -23784,7 +23784,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Spee&amp;d</source>
-        <translation>&amp;Vitesse</translation>
+        <translation>Vite&amp;sse</translation>
     </message>
     <message>
         <source>Real time, felt on the bracelet</source>
@@ -24893,7 +24893,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>&amp;Sliding speed</source>
-        <translation>&amp;Vitesse de glissement</translation>
+        <translation>Vitesse de gli&amp;ssement</translation>
     </message>
     <message>
         <source>Along the edge, while it is explored</source>
@@ -26235,7 +26235,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <translation>Trouve le plus petit seuil utile dans chaque trame&#xa0;; la valeur ci-dessus en est la borne inférieure</translation>
     </message>
     <message>
-        <source>&amp;Noise height:</source>
+        <source>No&amp;ise height:</source>
         <translation>&amp;Hauteur du bruit&#xa0;:</translation>
     </message>
     <message>
@@ -26333,7 +26333,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>A&amp;utomatic threshold</source>
-        <translation>Seui&amp;l automatique</translation>
+        <translation>Seuil auto&amp;matique</translation>
     </message>
     <message>
         <source>Force over:</source>
@@ -26535,7 +26535,7 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     </message>
     <message>
         <source>&amp;Speed</source>
-        <translation>&amp;Vitesse</translation>
+        <translation>Vite&amp;sse</translation>
     </message>
     <message>
         <source>Share of the fastest speed</source>
