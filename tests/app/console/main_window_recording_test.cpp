@@ -6,17 +6,23 @@
 #include "backend/recording/recording.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/playback_bar.h"
+#include "widgets/chrome/source_chooser.h"
 #include "widgets/touch/run_sheet.h"
 #include "widgets/touch/touch_table.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QSettings>
+#include <QSignalSpy>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -153,6 +159,77 @@ private slots:
             QCOMPARE(touches.touches(), played);
             QCOMPARE(sheet.object(0).touches, onFirst);
         }
+    }
+
+    /// Whoever plays a recording does not hinder the console that made it.
+    void aMarkIsEditedWhileItsRecordingIsPlayed() {
+        ConsoleOptions options;
+        options.scenes << QStringLiteral("tactile-indenter");
+        options.record = m_folder->filePath("marked.teleta");
+        openWindow(options);
+        RecordingService& station = m_window->recorder();
+        QTRY_VERIFY_WITH_TIMEOUT(station.status().frames >= 200, kPatience_ms);
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kPatience_ms));
+        QTest::keyClick(m_window.get(), Qt::Key_M);
+        QTRY_VERIFY_WITH_TIMEOUT(station.status().frames >= 400, kPatience_ms);
+        m_window->recording().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(station.state(), RecordingService::State::idle, kPatience_ms);
+
+        ConsoleOptions again;
+        again.files << options.record;
+        m_window->openRequested(again);
+        const auto played = [this] {
+            auto* item = m_window->sources().active();
+            return item != nullptr && item->displayed > 0 ? item->playback() : nullptr;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(played() != nullptr, kPatience_ms);
+        auto* playback = played();
+        playback->setLoop(true);
+        playback->pause();
+        QTest::keyClick(m_window->findChild<chrome::PlaybackBar*>(), Qt::Key_Home);
+        const double mark_s = playback->marks().front().time_s;
+        QVERIFY(mark_s > 0.2);
+        QTRY_VERIFY_WITH_TIMEOUT(playback->position().time_s < 0.1, kPatience_ms);
+
+        // In the list of what is played, a double click goes to the mark.
+        auto& page = m_window->operatePage();
+        page.docks().bringForward(QStringLiteral("marks"));
+        auto* table = page.marks().list().findChild<QTableWidget*>();
+        QTRY_VERIFY_WITH_TIMEOUT(table->isVisible() && table->rowCount() == 1, kPatience_ms);
+        const auto doubleClick = [table](int column) {
+            const QPoint at = table->visualItemRect(table->item(0, column)).center();
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);
+            QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, at);
+        };
+        doubleClick(1);
+        QVERIFY(table->findChild<QLineEdit*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(playback->position().time_s - mark_s) < 0.1, kPatience_ms);
+        playback->play();
+
+        // In that of the source that was recorded, it begins the text.
+        QSignalSpy notKept(&station.marks(), &console::RecordingMarks::notKept);
+        const int messages = page.messages().count();
+        auto* sources = m_window->findChild<chrome::SourceChooser*>()->findChild<QComboBox*>();
+        QTest::keyClick(sources, Qt::Key_Home);
+        QTRY_VERIFY_WITH_TIMEOUT(played() == nullptr, kPatience_ms);
+        doubleClick(1);
+        QTRY_VERIFY(table->findChild<QLineEdit*>() != nullptr);
+        QTest::keyClicks(table->findChild<QLineEdit*>(), QStringLiteral("it slipped"));
+        QTest::keyClick(table->findChild<QLineEdit*>(), Qt::Key_Return);
+        const auto textInFile = [&] {
+            const auto recording = recording::Recording::open(options.record.toStdString());
+            if (!recording)
+                return QString();
+            const auto& events = recording->events();
+            const auto mark = std::ranges::find(events, recording::kMark, &recording::RecordingEvent::kind);
+            return mark != events.end() ? QString::fromStdString(mark->text) : QString();
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(textInFile(), QStringLiteral("it slipped"), kPatience_ms);
+        QCOMPARE(notKept.size(), 0);
+        QCOMPARE(page.messages().count(), messages);
+        // It is played all the while.
+        QVERIFY(!playback->position().paused);
     }
 };
 

@@ -304,6 +304,27 @@ private slots:
         QCOMPARE(selected(), other);
     }
 
+    void aPatternIsSavedWhileItsFileIsOpenElsewhere() {
+        const QString path = m_folder->filePath("patterns/wave.json");
+        QVERIFY(pattern::savePattern(edited(), path.toStdString()));
+        QFile reader(path);
+        QVERIFY(reader.open(QIODevice::ReadOnly));
+        PatternCollection collection(m_folder->filePath("patterns")); // of another console
+        PatternsPage other(*m_station, collection, {});
+        for (PatternsPage* page : {&other, m_page.get()}) {
+            page->open(path);
+            QTRY_COMPARE_WITH_TIMEOUT(page->editor().document()->path(), path, kPatience_ms);
+        }
+        pattern::StrokePad& pad = *m_page->editor().findChild<pattern::StrokePad*>();
+        draw(pad, pad.placeOf(0.0, 0.0), pad.placeOf(2.0, 1.0));
+        QTest::keyClick(m_page->editor().timeline(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->hasUnsaved(), kPatience_ms);
+        const auto listed = [&] { return collection.atPath(path); };
+        QTRY_VERIFY_WITH_TIMEOUT(listed() && listed()->objects.size() == 1, kPatience_ms);
+        QVERIFY(!reader.readAll().contains("stroke")); // whole, as it was opened
+        QCOMPARE(m_page->messages().count() + other.messages().count(), 0);
+    }
+
     void filesThatAppearAreSeenAndDamagedOnesSayWhy() {
         QVERIFY(pattern::savePattern(edited(), m_folder->filePath("patterns/other.json").toStdString()));
         QTRY_COMPARE_WITH_TIMEOUT(m_collection->patterns().size(), std::size_t(1), kPatience_ms);
