@@ -10,16 +10,19 @@
 #include "widgets/camera/event_table.h"
 #include "widgets/camera/stage_bar.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QGuiApplication>
+#include <QHelpEvent>
+#include <QLabel>
 #include <QPushButton>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 using namespace teleta;
@@ -179,6 +182,33 @@ private slots:
         panel.setSnapshot(&snapshot);
         QCOMPARE(rungs->currentText(), QStringLiteral("dots"));
         QCOMPARE(test::textOf(panel, "problem"), QStringLiteral("This finder cannot be used: It cannot."));
+    }
+
+    /// In a dock of a window of 1024 x 700 it is wrapped; in a very low one the pointer shows the rest.
+    void whyAFinderCannotBeUsedIsReadToItsEnd() {
+        CameraPanel panel;
+        pipeline::CameraSnapshot snapshot = test::sampleCamera();
+        snapshot.refusedRung = "paper";
+        snapshot.whyRefused = "The reference picture has 42 of 400 dots (expected at least 200): take a new "
+                              "reference while nothing touches the tube, with the light as it is now";
+        panel.resize(507, 580);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        panel.setSnapshot(&snapshot);
+        auto* problem = panel.findChild<QLabel*>("problem");
+        const auto isWhole = [problem] {
+            const QRect needed = problem->fontMetrics().boundingRect(
+                QRect(0, 0, problem->contentsRect().width(), 10'000), Qt::TextWordWrap, problem->text());
+            return needed.width() <= problem->contentsRect().width() &&
+                   needed.height() <= problem->contentsRect().height();
+        };
+        QVERIFY(problem->text().endsWith(QLatin1String("as it is now")));
+        QTRY_VERIFY(isWhole());
+        QVERIFY(problem->height() > 2 * problem->fontMetrics().height() - 2); // more than a line
+        QHelpEvent pointed(QEvent::ToolTip, QPoint(5, 5), problem->mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(problem, &pointed);
+        QCOMPARE(QToolTip::text(), problem->text());
+        QToolTip::hideText();
     }
 
     void theArmIsToldInWordsAndMayBeLetReactAgain() {

@@ -2,9 +2,11 @@
 #include "app/console/operate/recording/recording_export.h"
 #include "backend/recording/recorder.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -49,23 +51,39 @@ private slots:
     }
 
     void theQuestionsSayThatSomethingIsExported() {
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         RecordingExport exporter(&m_window);
+        QSignalSpy finished(&exporter, &RecordingExport::finished);
         m_window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&m_window));
+        const auto dialog = [this] { return m_window.findChild<QFileDialog*>(); };
+        const auto accept = [&] {
+            for (auto* button : dialog()->findChildren<QPushButton*>())
+                if (button->isVisible() && button->isDefault())
+                    return button;
+            return static_cast<QPushButton*>(nullptr);
+        };
+        const auto name = [&] { return dialog()->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")); };
         exporter.ask(recording());
-        auto* files = m_window.findChild<QFileDialog*>();
-        QVERIFY(files != nullptr);
-        QCOMPARE(files->labelText(QFileDialog::Accept), QStringLiteral("Export\u2026"));
-        QTRY_VERIFY(files->isVisible());
-        QTest::keyClick(files, Qt::Key_Escape);
-        QTRY_VERIFY(m_window.findChild<QFileDialog*>() == nullptr);
+        // As soon as the folder is read, the recording is chosen.
+        QTRY_COMPARE(name()->text(), QStringLiteral("run.teleta"));
+        QTRY_VERIFY(accept() != nullptr && accept()->isEnabled());
+        QCOMPARE(accept()->text(), QStringLiteral("Export\u2026"));
+        QTest::mouseClick(accept(), Qt::LeftButton);
+        QTRY_VERIFY(dialog() != nullptr && dialog()->fileMode() == QFileDialog::Directory &&
+                    dialog()->isVisible() && accept() != nullptr);
+        name()->selectAll();
+        QTest::keyClicks(name(), m_folder.path());
+        QCOMPARE(accept()->text(), QStringLiteral("Export here"));
+        QTest::mouseClick(accept(), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60'000);
+        QVERIFY(QFile::exists(m_folder.filePath(QStringLiteral("run/events.csv"))));
+
         exporter.askMcap(recording());
-        files = m_window.findChild<QFileDialog*>();
-        QVERIFY(files != nullptr);
-        QCOMPARE(files->labelText(QFileDialog::Accept), QStringLiteral("Export\u2026"));
-        QTRY_VERIFY(files->isVisible());
-        QTest::keyClick(files, Qt::Key_Escape);
-        QTRY_VERIFY(m_window.findChild<QFileDialog*>() == nullptr);
+        QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible() && accept() != nullptr);
+        QCOMPARE(accept()->text(), QStringLiteral("Export\u2026"));
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+        QTRY_VERIFY(dialog() == nullptr);
         m_window.hide();
         QVERIFY(!exporter.isBusy());
     }
