@@ -24,6 +24,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -65,6 +66,23 @@ QVBoxLayout* columnOf(QWidget* column, std::initializer_list<QWidget*> widgets) 
     base::addWidgets(layout, widgets);
     return layout;
 }
+
+/// Keeps the items of a list apart. The list's own spacing makes them narrower than it has counted their
+/// lines for.
+class ApartItems : public QStyledItemDelegate {
+public:
+    explicit ApartItems(QWidget* list)
+        : QStyledItemDelegate(list)
+        , m_gap(base::grid(list, 0.5)) {}
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                                 const QModelIndex& index) const override {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, 2 * m_gap);
+    }
+
+private:
+    int m_gap;
+};
 
 QLabel* wrapped(QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -166,7 +184,7 @@ QWidget* CostPage::makeLadderColumn() {
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setSpacing(base::grid(this, 0.5));
+    m_list->setItemDelegate(new ApartItems(m_list));
     m_measure = base::named<QPushButton>("measure", column);
     m_measureAll = base::named<QPushButton>("measureAll", column);
     m_cancel = base::named<QPushButton>("cancel", column);

@@ -185,6 +185,25 @@ private slots:
         QFile::remove(file());
     }
 
+    void aJobIsReadToItsEndInAListOfAnyWidth() {
+        cost::Ladder ladder = quickLadder("second");
+        ladder.title = "Gains of an array's taxels from a press";
+        open({quickLadder("first"), ladder});
+        auto& list = part<QListWidget>("ladders");
+        QListWidgetItem* item = list.item(1);
+        const auto picture = [&](const QString& last) {
+            item->setText(QString::fromStdString(ladder.title) + QLatin1Char('\n') + last);
+            QCoreApplication::processEvents();
+            return list.viewport()->grab().toImage();
+        };
+        for (int width = 180; width <= 300; ++width) {
+            list.setFixedWidth(width);
+            // Its last line is seen.
+            QVERIFY2(picture(QStringLiteral("abc")) != picture(QStringLiteral("cba")),
+                     qPrintable(QString::number(width)));
+        }
+    }
+
     void measuresTheLadderThatIsShownAndKeepsItForTheNextStart() {
         open({quickLadder("first"), quickLadder("second")});
         QVERIFY(part<QListWidget>("ladders").item(0)->text().contains(QLatin1String("not measured")));
