@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kControlHeight = 3.25; ///< of fields and buttons, in grids
 constexpr int kFieldEdge_px = 2;
+constexpr int kComboText_px = 1;         ///< from the edit field of a combo box to its text in Fusion
+constexpr int kComboIcon_px = 4;         ///< from its icon to its text, likewise
 constexpr double kScrollExtent = 1.5;    ///< width of a scroll bar, likewise
 constexpr double kScrollHandle = 0.75;   ///< of its handle
 constexpr double kLeastHandle = 3.0;     ///< its length at least
@@ -264,6 +266,18 @@ void ConsoleStyle::drawControl(ControlElement element, const QStyleOption* optio
                 QPalette::ButtonText,
                 controlColours(option->palette, option->state.testFlag(State_Enabled)).onAccent);
             return QProxyStyle::drawControl(element, &onAccent, painter, widget);
+        }
+        break;
+    case CE_ComboBoxLabel:
+        // Not cut off in a letter.
+        if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+            box != nullptr && !box->editable) {
+            QStyleOptionComboBox shown(*box);
+            const int icon = box->currentIcon.isNull() ? 0 : box->iconSize.width() + kComboIcon_px;
+            const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() -
+                             2 * kComboText_px - icon;
+            shown.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+            return QProxyStyle::drawControl(element, &shown, painter, widget);
         }
         break;
     case CE_TabBarTabShape:

@@ -5,7 +5,6 @@
 #include "widgets/base/theme.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -34,17 +33,18 @@ void setQuietly(QSlider* slider, int value) {
 
 StrengthPanel::StrengthPanel(QWidget* parent)
     : QWidget(parent)
-    , m_all(makeRow(this)) {
+    , m_all(makeRow(this))
+    , m_top(new QGridLayout) {
     m_all.slider->setObjectName(QStringLiteral("all"));
     m_eachButton->setCheckable(true);
     m_eachButton->setArrowType(Qt::RightArrow);
     m_eachButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_eachButton->setAutoRaise(true);
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_all.label);
-    top->addWidget(m_all.slider, 1);
-    top->addWidget(m_all.value);
-    top->addWidget(m_eachButton);
+    m_top->addWidget(m_all.label, 0, 0);
+    m_top->addWidget(m_all.slider, 0, 1);
+    m_top->addWidget(m_all.value, 0, 2);
+    m_top->addWidget(m_eachButton, 0, 3);
+    m_top->setColumnStretch(1, 1);
     // Two columns, to keep the panel flat.
     auto* grid = new QGridLayout(m_eachPart);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -69,7 +69,7 @@ StrengthPanel::StrengthPanel(QWidget* parent)
     const int margin = base::grid(this, 0.5);
     layout->setContentsMargins(2 * margin, margin, 2 * margin, margin);
     layout->setSpacing(margin);
-    layout->addLayout(top);
+    layout->addLayout(m_top);
     layout->addWidget(m_eachPart);
     connect(m_all.slider, &QSlider::valueChanged, this, [this](int percent) {
         m_strongest.fill(static_cast<double>(percent) / kFull_percent);
@@ -81,6 +81,38 @@ StrengthPanel::StrengthPanel(QWidget* parent)
         m_eachPart->setVisible(shown);
     });
     base::keepTranslated(this, &StrengthPanel::retranslate);
+}
+
+QSize StrengthPanel::minimumSizeHint() const {
+    int width = std::max(leastRow(), m_eachButton->sizeHint().width());
+    if (m_eachPart->isVisibleTo(this))
+        width = std::max(width, m_eachPart->minimumSizeHint().width());
+    const QMargins margins = layout()->contentsMargins();
+    return {width + margins.left() + margins.right(), QWidget::minimumSizeHint().height()};
+}
+
+int StrengthPanel::leastRow() const {
+    return m_all.label->sizeHint().width() + m_all.slider->minimumWidth() +
+           std::max(m_all.value->minimumWidth(), m_all.value->sizeHint().width()) +
+           2 * m_top->horizontalSpacing();
+}
+
+void StrengthPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void StrengthPanel::arrange() {
+    const int needed = leastRow() + m_top->horizontalSpacing() + m_eachButton->sizeHint().width();
+    const bool isNarrow = layout()->contentsRect().width() < needed;
+    if (isNarrow == m_isNarrow)
+        return;
+    m_isNarrow = isNarrow;
+    m_top->removeWidget(m_eachButton);
+    if (m_isNarrow)
+        m_top->addWidget(m_eachButton, 1, 0, 1, 3, Qt::AlignLeft);
+    else
+        m_top->addWidget(m_eachButton, 0, 3);
 }
 
 StrengthPanel::Row StrengthPanel::makeRow(QWidget* parent) {

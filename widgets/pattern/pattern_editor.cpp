@@ -31,6 +31,8 @@ constexpr double kMostSnap_ms = 1000.0;
 constexpr double kMsPerS = 1e3;
 /// Width of the editor in which laws and properties stand beside each other.
 constexpr double kRoomForBoth_em = 80.0;
+constexpr double kLibrary_em = 22.0;       ///< width of the library at first
+constexpr double kNarrowLibrary_em = 15.0; ///< in a narrower editor
 
 } // namespace
 
@@ -61,18 +63,17 @@ PatternEditor::PatternEditor(QWidget* parent)
     right->setStretchFactor(0, 3);
     right->setStretchFactor(1, 1);
     right->setSizes({base::em(this, 28), base::em(this, 15)});
-    auto* all = new QSplitter(Qt::Horizontal, this);
-    all->addWidget(m_library);
-    all->addWidget(right);
-    all->setStretchFactor(1, 1);
-    all->setSizes({base::em(this, 22), base::em(this, 57)});
-    for (QSplitter* splitter : {m_numbers, m_below, right, all})
+    m_all->addWidget(m_library);
+    m_all->addWidget(right);
+    m_all->setStretchFactor(1, 1);
+    m_all->setSizes({base::em(this, kLibrary_em), base::em(this, 57)});
+    for (QSplitter* splitter : {m_numbers, m_below, right, m_all})
         splitter->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(base::grid(this, 0.5));
     layout->addWidget(m_bar);
-    layout->addWidget(all, 1);
+    layout->addWidget(m_all, 1);
 
     connect(m_library, &PatternLibrary::openRequested, this, &PatternEditor::openRequested);
     connect(m_library, &PatternLibrary::duplicateRequested, this, &PatternEditor::duplicateRequested);
@@ -132,6 +133,8 @@ void PatternEditor::resizeEvent(QResizeEvent* event) {
         return;
     m_numbers->setOrientation(wanted);
     shareHeight();
+    const int library = base::em(this, wanted == Qt::Vertical ? kNarrowLibrary_em : kLibrary_em);
+    m_all->setSizes({library, width() - library});
     if (wanted == Qt::Horizontal)
         m_numbers->setSizes({1, 2});
 }

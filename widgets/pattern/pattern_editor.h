@@ -91,6 +91,7 @@ private:
     PatternInspector* m_inspector = new PatternInspector(m_document, this);
     QToolBar* m_bar = new QToolBar(this);
     QLabel* m_title = new QLabel(this);
+    QSplitter* m_all = new QSplitter(Qt::Horizontal, this); ///< library, and the rest
     QSplitter* m_below = new QSplitter(Qt::Horizontal, this);
     QSplitter* m_numbers = new QSplitter(Qt::Horizontal, this); ///< laws and properties
     QWidget* m_comparison = new QWidget(this);

@@ -14,7 +14,8 @@
 namespace teleta::pattern {
 
 namespace {
-constexpr double kLeastField_em = 5.0; ///< a time with its unit, or the begin of a choice
+constexpr double kLeastField_em = 5.0;  ///< a time with its unit
+constexpr double kLeastChoice_em = 5.8; ///< a short one, or the begin of another
 
 /// Scrolls up and down only: never narrower than its fields.
 class FieldScroll : public QScrollArea {
@@ -34,8 +35,8 @@ protected:
 };
 
 /// Nobody types into the widest value that there could be.
-void letShrink(QWidget* field) {
-    field->setMinimumWidth(base::em(field, kLeastField_em));
+void letShrink(QWidget* field, double least_em) {
+    field->setMinimumWidth(base::em(field, least_em));
 }
 
 } // namespace
@@ -86,9 +87,10 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     m_rows = new QWidget(inside);
     layout->addWidget(m_rows);
     layout->addStretch(1);
-    for (QWidget* field :
-         std::initializer_list<QWidget*>{m_duration, m_loopBegin, m_loopEnd, m_task, m_condition})
-        letShrink(field);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_duration, m_loopBegin, m_loopEnd})
+        letShrink(field, kLeastField_em);
+    for (QWidget* choice : {m_task, m_condition})
+        letShrink(choice, kLeastChoice_em);
     auto* scroll = new FieldScroll(this);
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to its fields instead
@@ -232,7 +234,7 @@ QDoubleSpinBox* PatternInspector::number(const char* name, const QString& label,
     box->setSingleStep(unit == QLatin1String("s") ? 0.01 : decimals > 1 ? 0.05 : 1.0);
     box->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
     box->setKeyboardTracking(false);
-    letShrink(box);
+    letShrink(box, kLeastField_em);
     m_form->addRow(label, box);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, set = std::move(set)](double value) {
         if (!m_showing)
@@ -285,7 +287,7 @@ QComboBox* PatternInspector::easingBox(const char* name) {
     box->setObjectName(QLatin1String(name));
     for (const Easing easing : kEasings)
         box->addItem(easingName(easing), static_cast<int>(easing));
-    letShrink(box);
+    letShrink(box, kLeastField_em);
     m_form->addRow(tr("Curve:"), box);
     return box;
 }

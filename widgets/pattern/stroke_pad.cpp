@@ -24,7 +24,7 @@ constexpr double kShortestStroke_s = 0.05;
 } // namespace
 
 StrokePad::StrokePad(PatternDocument* document, QWidget* parent)
-    : SizedView(parent, {26, 10}, {14, 6})
+    : SizedView(parent, {26, 10}, {12, 6})
     , m_document(document) {
     setFocusPolicy(Qt::StrongFocus);
     setAutoFillBackground(true);

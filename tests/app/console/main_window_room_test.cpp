@@ -17,8 +17,11 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace teleta;
 using console::ConsoleOptions;
@@ -97,6 +100,13 @@ private slots:
                 QVERIFY2(least.width() <= kSmallScreen.width() && least.height() <= kSmallScreen.height(),
                          qPrintable(where));
                 QCOMPARE(m_window->size(), kSmallScreen);
+                const auto scrolls = [this] {
+                    const auto areas = m_window->findChildren<QScrollArea*>();
+                    return std::ranges::any_of(areas, [](const QScrollArea* area) {
+                        return area->isVisible() && area->horizontalScrollBar()->isVisible();
+                    });
+                };
+                QTRY_VERIFY2(!scrolls(), qPrintable(where));
                 QVERIFY2(
                     m_window->rect().contains(QRect(stop->mapTo(m_window.get(), QPoint()), stop->size())),
                     qPrintable(where));

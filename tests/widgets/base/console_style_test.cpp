@@ -17,6 +17,7 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStyleOption>
 #include <QTabBar>
 #include <QTableWidget>
 #include <QTest>
@@ -171,6 +172,24 @@ private slots:
         textReads<QTableWidget>(std::move(table), "header", [](QTableWidget& rows, const QString& text) {
             rows.setHorizontalHeaderItem(0, new QTableWidgetItem(text));
         });
+    }
+
+    void aChoiceThatIsTooLongEndsWithDots() {
+        QComboBox combo;
+        combo.resize(100, 30);
+        const auto pictureWith = [&combo](const QString& text) {
+            combo.clear();
+            combo.addItem(text);
+            return combo.grab().toImage();
+        };
+        const QString text = QStringLiteral("long and longer");
+        QStyleOptionComboBox option;
+        option.initFrom(&combo);
+        const QRect field =
+            combo.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo);
+        const QString dotted = combo.fontMetrics().elidedText(text, Qt::ElideRight, field.width() - 2);
+        QVERIFY(dotted != text);
+        QCOMPARE(pictureWith(text), pictureWith(dotted));
     }
 
     void edgesAreSeen_data() { inBothThemes(); }
