@@ -17219,7 +17219,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Stron&amp;gest</source>
-        <translation>Intensité ma&amp;ximale</translation>
+        <translation>Ma&amp;ximum</translation>
     </message>
     <message>
         <source>Strongest, all motors</source>
@@ -22158,7 +22158,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>The strength limit of the bracelet could not be read or saved: check the slider Strongest.</source>
-        <translation>La force maximale du bracelet n’a pas pu être lue ou conservée&#xa0;: vérifier le curseur «&#xa0;Intensité maximale&#xa0;».</translation>
+        <translation>La force maximale du bracelet n’a pas pu être lue ou conservée&#xa0;: vérifier le curseur «&#xa0;Maximum&#xa0;».</translation>
     </message>
     <message>
         <source>%1 has unsaved edits.</source>
