@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -28,6 +27,7 @@ constexpr double kSign_em = 1.5;     ///< width of an arrow beside its text
 constexpr double kSignHead_em = 0.5; ///< length of its head
 constexpr double kAtArray_em = 2.0;  ///< of the array's middle: either side is as good
 constexpr double kLeader_em = 2.0;   ///< length of the line to a card at the side
+constexpr double kDetour_em = 8.0;   ///< farther away that a card may be to hide no point of another one
 
 class OverlayPainter {
 public:
@@ -187,28 +187,34 @@ private:
         });
     }
 
-    /// The wanted place, or the nearest of those in steps from it that is free and, if there is one, hides no
+    /// The wanted place, or the nearest free one in steps from it; rather a little farther away than on a
     /// point that another card names.
     [[nodiscard]] std::optional<QRectF> nearestFree(const QRectF& wanted) const {
         if (isFree(wanted))
             return wanted;
         const QSizeF step(0.25 * wanted.width(), 0.5 * wanted.height());
-        const int columns = static_cast<int>(m_size.width() / step.width());
-        const int rows = static_cast<int>(m_size.height() / step.height());
+        const double shorter = std::min(step.width(), step.height());
         std::optional<QRectF> best;
-        double least = std::numeric_limits<double>::infinity();
-        for (int row = -rows; row <= rows; ++row)
-            for (int column = -columns; column <= columns; ++column) {
-                const QPointF way(column * step.width(), row * step.height());
-                const QRectF rect = wanted.translated(way);
-                const double cost = std::hypot(way.x(), way.y());
-                if (cost >= least || !isFree(rect))
-                    continue;
-                const double hiding = isOffFeet(rect) ? 0.0 : m_size.width() + m_size.height();
-                if (cost + hiding < least) {
-                    least = cost + hiding;
-                    best = rect;
-                }
+        double least = m_size.width() + m_size.height();
+        const auto look = [&](int column, int row) {
+            const QPointF way(column * step.width(), row * step.height());
+            const double distance = std::hypot(way.x(), way.y());
+            const QRectF rect = wanted.translated(way);
+            if (distance >= least || !isFree(rect))
+                return;
+            const double cost = distance + (isOffFeet(rect) ? 0.0 : kDetour_em * m_em);
+            if (cost < least) {
+                least = cost;
+                best = rect;
+            }
+        };
+        // Squares of places around it, each larger than the one before.
+        for (int square = 1; square * shorter < least; ++square)
+            for (int i = -square; i <= square; ++i) {
+                look(i, -square);
+                look(i, square);
+                look(-square, i);
+                look(square, i);
             }
         return best;
     }
