@@ -801,10 +801,6 @@
         <translation>%1 a&#xa0;%2 taxels</translation>
     </message>
     <message>
-        <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
-        <translation>%1 =&#xa0;%2 lignes x&#xa0;%3 colonnes&#xa0;; d’autres avec --rows et --columns</translation>
-    </message>
-    <message>
         <source>the file does not say when its frames were taken</source>
         <translation>le fichier n’indique pas quand ses trames ont été prises</translation>
     </message>
@@ -877,10 +873,6 @@
         <translation>%1 ne dit pas laquelle de ses dimensions compte les images</translation>
     </message>
     <message>
-        <source>--frame-axis first or last, or a time_s for each frame</source>
-        <translation>--frame-axis first ou last, ou un time_s par image</translation>
-    </message>
-    <message>
         <source>a frame of %1 has the shape %2 x %3</source>
         <translation>une trame de %1 a la forme %2 x %3</translation>
     </message>
@@ -895,10 +887,6 @@
     <message>
         <source>%1 can be a grid of 3 columns, or %2 taxels with x, y and z each</source>
         <translation>%1 peut être une grille de 3 colonnes, ou %2 taxels avec x, y et z chacun</translation>
-    </message>
-    <message>
-        <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
-        <translation>--rows %1 --columns 3 pour la grille&#xa0;; pour des vecteurs, le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
     </message>
     <message>
         <source>%1 has %2 numbers</source>
@@ -932,6 +920,18 @@
         <source>positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm</source>
         <comment>a number, x, y or z, two places</comment>
         <translation>positions_m place le taxel %1 à %2 = %3 mm, la disposition à %4 mm</translation>
+    </message>
+    <message>
+        <source>the dimension that counts the frames, the first or the last (--frame-axis), or a time_s for each frame</source>
+        <translation>la dimension qui compte les trames, la première ou la dernière (--frame-axis), ou un time_s par trame</translation>
+    </message>
+    <message>
+        <source>for the grid, %1 rows and 3 columns (--rows %1 --columns 3); for vectors, the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>pour la grille, %1 lignes et 3 colonnes (--rows %1 --columns 3) ; pour des vecteurs, le fichier qui dit où sont les taxels (--layout FILE.toml)</translation>
+    </message>
+    <message>
+        <source>%1 = %2 rows x %3 columns, or others (--rows N --columns M)</source>
+        <translation>%1 = %2 lignes x %3 colonnes, ou d’autres (--rows N --columns M)</translation>
     </message>
 </context>
 <context>
@@ -4773,8 +4773,8 @@ Exemples&#xa0;:
         <translation>les trames s’étendent sur plus de %1 ans</translation>
     </message>
     <message>
-        <source>times in seconds; see --time-unit</source>
-        <translation>des temps en secondes ; voir --time-unit</translation>
+        <source>times in seconds, or their unit (--time-unit UNIT)</source>
+        <translation>des temps en secondes, ou leur unité (--time-unit UNIT)</translation>
     </message>
 </context>
 <context>
@@ -4927,10 +4927,6 @@ Exemples&#xa0;:
         <translation>pas de fréquence</translation>
     </message>
     <message>
-        <source>%1; a table of another program is read with %2</source>
-        <translation>%1&#xa0;; le tableau d’un autre programme se lit avec&#xa0;%2</translation>
-    </message>
-    <message>
         <source>the file</source>
         <translation>le fichier</translation>
     </message>
@@ -4953,6 +4949,10 @@ Exemples&#xa0;:
     <message>
         <source>at most %1 values</source>
         <translation>au plus %1 valeurs</translation>
+    </message>
+    <message>
+        <source>%1; of a table of another program, which columns are times and taxels (%2)</source>
+        <translation>%1 ; d’un tableau d’un autre programme, quelles colonnes sont les temps et les taxels (%2)</translation>
     </message>
 </context>
 <context>
@@ -8341,6 +8341,10 @@ Aire %6</translation>
     <message>
         <source>Keyframes before the beginning of their effect, moved to it: %1.</source>
         <translation>Images clés situées avant le début de leur effet, déplacées à ce début&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Shapes and phases of waves left out: %1. The motors play their strength only.</source>
+        <translation>Formes et phases d’ondes laissées de côté : %1. Les moteurs n’en jouent que l’intensité.</translation>
     </message>
 </context>
 <context>
@@ -14995,16 +14999,16 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>%1 n’est pas un temps</translation>
     </message>
     <message>
-        <source>a number, or --time-unit iso</source>
-        <translation>un nombre, ou --time-unit iso</translation>
-    </message>
-    <message>
         <source>a finite number</source>
         <translation>un nombre fini</translation>
     </message>
     <message>
         <source>a date and time such as 2026-05-01T12:00:00.5</source>
         <translation>une date et une heure comme 2026-05-01T12:00:00.5</translation>
+    </message>
+    <message>
+        <source>a number, or iso as the unit (--time-unit iso)</source>
+        <translation>un nombre, ou iso comme unité (--time-unit iso)</translation>
     </message>
 </context>
 <context>
@@ -24118,11 +24122,11 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Ra&amp;dius:</source>
-        <translation>Ra&amp;yon :</translation>
+        <translation>Ra&amp;yon&#xa0;:</translation>
     </message>
     <message>
         <source>H&amp;ole factor:</source>
-        <translation>Facteur des &amp;trous :</translation>
+        <translation>Facteur des &amp;trous&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -26329,7 +26333,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>Thresho&amp;ld:</source>
-        <translation>&amp;Seuil :</translation>
+        <translation>&amp;Seuil&#xa0;:</translation>
     </message>
     <message>
         <source>A&amp;utomatic threshold</source>
@@ -26337,7 +26341,7 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
     <message>
         <source>Force over:</source>
-        <translation>Force sur :</translation>
+        <translation>Force sur&#xa0;:</translation>
     </message>
 </context>
 <context>

@@ -799,10 +799,6 @@
         <translation>%1のタクセル数は%2です</translation>
     </message>
     <message>
-        <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
-        <translation>%1 = %2行 x %3列。それ以外は--rowsと--columnsで指定</translation>
-    </message>
-    <message>
         <source>the file does not say when its frames were taken</source>
         <translation>ファイルにフレームの取得時刻がありません</translation>
     </message>
@@ -875,10 +871,6 @@
         <translation>%1 はどの次元がフレームを数えるかを示していません</translation>
     </message>
     <message>
-        <source>--frame-axis first or last, or a time_s for each frame</source>
-        <translation>--frame-axis first または last、もしくは各フレームの time_s</translation>
-    </message>
-    <message>
         <source>a frame of %1 has the shape %2 x %3</source>
         <translation>%1のフレームの形は%2 x %3です</translation>
     </message>
@@ -893,10 +885,6 @@
     <message>
         <source>%1 can be a grid of 3 columns, or %2 taxels with x, y and z each</source>
         <translation>%1は3列の格子かもしれず、それぞれx、y、zを持つ%2個のタクセルかもしれません</translation>
-    </message>
-    <message>
-        <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
-        <translation>格子なら--rows %1 --columns 3。ベクトルならタクセルの場所を示すファイル（--layout FILE.toml）</translation>
     </message>
     <message>
         <source>%1 has %2 numbers</source>
@@ -930,6 +918,18 @@
         <source>positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm</source>
         <comment>a number, x, y or z, two places</comment>
         <translation>positions_mではタクセル%1は%2 = %3 mm、配置では%4 mmです</translation>
+    </message>
+    <message>
+        <source>the dimension that counts the frames, the first or the last (--frame-axis), or a time_s for each frame</source>
+        <translation>フレームを数える次元、最初または最後（--frame-axis）、もしくは各フレームのtime_s</translation>
+    </message>
+    <message>
+        <source>for the grid, %1 rows and 3 columns (--rows %1 --columns 3); for vectors, the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>格子なら%1行と3列（--rows %1 --columns 3）。ベクトルならタクセルの場所を示すファイル（--layout FILE.toml）</translation>
+    </message>
+    <message>
+        <source>%1 = %2 rows x %3 columns, or others (--rows N --columns M)</source>
+        <translation>%1 = %2行 x %3列、またはその他（--rows N --columns M）</translation>
     </message>
 </context>
 <context>
@@ -4761,8 +4761,8 @@ Examples:
         <translation>フレームの期間が%1年を超えています</translation>
     </message>
     <message>
-        <source>times in seconds; see --time-unit</source>
-        <translation>秒単位の時刻（--time-unitを参照）</translation>
+        <source>times in seconds, or their unit (--time-unit UNIT)</source>
+        <translation>秒単位の時刻、またはその単位（--time-unit UNIT）</translation>
     </message>
 </context>
 <context>
@@ -4915,10 +4915,6 @@ Examples:
         <translation>レートの指定なし</translation>
     </message>
     <message>
-        <source>%1; a table of another program is read with %2</source>
-        <translation>%1。他のプログラムの表は%2で読み込みます</translation>
-    </message>
-    <message>
         <source>the file</source>
         <translation>ファイル</translation>
     </message>
@@ -4941,6 +4937,10 @@ Examples:
     <message>
         <source>at most %1 values</source>
         <translation>%1個以下の値</translation>
+    </message>
+    <message>
+        <source>%1; of a table of another program, which columns are times and taxels (%2)</source>
+        <translation>%1。他のプログラムの表なら、時刻とタクセルの列（%2）</translation>
     </message>
 </context>
 <context>
@@ -8322,6 +8322,10 @@ x %4, y %5
     <message>
         <source>Keyframes before the beginning of their effect, moved to it: %1.</source>
         <translation>効果の始まりより前にあり、そこへ移したキーフレーム: %1</translation>
+    </message>
+    <message>
+        <source>Shapes and phases of waves left out: %1. The motors play their strength only.</source>
+        <translation>除外した波の形と位相: %1。モーターは波の強さだけを再生します。</translation>
     </message>
 </context>
 <context>
@@ -14960,16 +14964,16 @@ Run teleta-site --help for more.
         <translation>%1 は時刻ではありません</translation>
     </message>
     <message>
-        <source>a number, or --time-unit iso</source>
-        <translation>数値、または--time-unit iso</translation>
-    </message>
-    <message>
         <source>a finite number</source>
         <translation>有限の数値</translation>
     </message>
     <message>
         <source>a date and time such as 2026-05-01T12:00:00.5</source>
         <translation>2026-05-01T12:00:00.5のような日時</translation>
+    </message>
+    <message>
+        <source>a number, or iso as the unit (--time-unit iso)</source>
+        <translation>数値、または単位としてiso（--time-unit iso）</translation>
     </message>
 </context>
 <context>
@@ -18147,8 +18151,8 @@ Run teleta-site --help for more.
         <translation>検出器(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;New reference</source>
-        <translation>新しい基準(&amp;N)</translation>
+        <source>Ne&amp;w reference</source>
+        <translation>新しい基準(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -18412,8 +18416,8 @@ Run teleta-site --help for more.
         <translation>画像を止める。マーカーの追跡は続く（スペース）</translation>
     </message>
     <message>
-        <source>&amp;New rest</source>
-        <translation>静止を取り直す(&amp;N)</translation>
+        <source>Ne&amp;w rest</source>
+        <translation>静止を取り直す(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -19186,10 +19190,6 @@ Run teleta-site --help for more.
         <translation>ソース</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>開く(&amp;O)</translation>
-    </message>
-    <message>
         <source>Open a simulated scene or a recording</source>
         <translation>シミュレーションシーンまたは記録を開きます</translation>
     </message>
@@ -19224,6 +19224,10 @@ Run teleta-site --help for more.
     <message>
         <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
         <translation>このプログラムの記録かMCAP、またはアレイのフレームの記録：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
+    </message>
+    <message>
+        <source>Ope&amp;n</source>
+        <translation>開く(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -19655,20 +19659,12 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::CameraDialog</name>
     <message>
-        <source>Start &amp;again at the end</source>
-        <translation>末尾で先頭に戻る(&amp;A)</translation>
-    </message>
-    <message>
         <source>Open camera</source>
         <translation>カメラを開く</translation>
     </message>
     <message>
         <source>…</source>
         <translation>…</translation>
-    </message>
-    <message>
-        <source>&amp;Camera or video:</source>
-        <translation>カメラまたは動画(&amp;C):</translation>
     </message>
     <message>
         <source>Ca&amp;libration:</source>
@@ -19693,6 +19689,14 @@ Run teleta-site --help for more.
     <message>
         <source>none: only show the picture</source>
         <translation>なし: 見るだけ</translation>
+    </message>
+    <message>
+        <source>&amp;Start again at the end</source>
+        <translation>末尾で先頭に戻る(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Camera or &amp;video:</source>
+        <translation>カメラまたは動画(&amp;V):</translation>
     </message>
 </context>
 <context>
@@ -20340,10 +20344,6 @@ Run teleta-site --help for more.
         <translation>ピッチ(&amp;P)：</translation>
     </message>
     <message>
-        <source>&amp;Columns of the taxels:</source>
-        <translation>タクセルの列(&amp;C)：</translation>
-    </message>
-    <message>
         <source>Column of the &amp;times:</source>
         <translation>時刻の列(&amp;T)：</translation>
     </message>
@@ -20394,6 +20394,10 @@ Run teleta-site --help for more.
     <message>
         <source>Arrays (*.toml)</source>
         <translation>アレイ (*.toml)</translation>
+    </message>
+    <message>
+        <source>Co&amp;lumns of the taxels:</source>
+        <translation>タクセルの列(&amp;L)：</translation>
     </message>
 </context>
 <context>
@@ -20990,10 +20994,6 @@ Run teleta-site --help for more.
         <translation>カメラでプロービング</translation>
     </message>
     <message>
-        <source>&amp;Camera or video:</source>
-        <translation>カメラまたは動画(&amp;C):</translation>
-    </message>
-    <message>
         <source>Ri&amp;ngs:</source>
         <translation>リング数(&amp;N):</translation>
     </message>
@@ -21020,6 +21020,10 @@ Run teleta-site --help for more.
     <message>
         <source>Holes per &amp;ring:</source>
         <translation>リングあたりの穴数(&amp;R):</translation>
+    </message>
+    <message>
+        <source>Camera or &amp;video:</source>
+        <translation>カメラまたは動画(&amp;V):</translation>
     </message>
 </context>
 <context>
@@ -21639,10 +21643,6 @@ Run teleta-site --help for more.
         <translation>シミュレーション: 人なし、すべてに「シミュレーション」と表示</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
-        <translation>選択(&amp;C)…</translation>
-    </message>
-    <message>
         <source>&amp;Mode</source>
         <translation>モード(&amp;M)</translation>
     </message>
@@ -21728,6 +21728,10 @@ Run teleta-site --help for more.
     <message>
         <source>Determines the order of all trials: the same seed gives the same study. It is drawn at random, shown here and kept with the study.</source>
         <translation>全試行の順序を決めます: 同じシードからは同じ実験ができます。無作為に選ばれ、ここに表示され、実験とともに保存されます。</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>選択(&amp;H)…</translation>
     </message>
 </context>
 <context>
@@ -22363,10 +22367,6 @@ Run teleta-site --help for more.
         <translation>最後の列utc_s、1970年からの秒数</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
-        <translation>選択(&amp;C)…</translation>
-    </message>
-    <message>
         <source>Folder of recordings</source>
         <translation>記録のフォルダー</translation>
     </message>
@@ -22385,6 +22385,10 @@ Run teleta-site --help for more.
     <message>
         <source>&amp;Folder of recordings:</source>
         <translation>記録のフォルダー(&amp;F):</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>選択(&amp;H)…</translation>
     </message>
 </context>
 <context>
@@ -22458,10 +22462,6 @@ Run teleta-site --help for more.
         <translation>回答期限(&amp;W)</translation>
     </message>
     <message>
-        <source>May be felt a&amp;gain</source>
-        <translation>再提示(&amp;G)</translation>
-    </message>
-    <message>
         <source>Or&amp;der</source>
         <translation>順序(&amp;D)</translation>
     </message>
@@ -22492,10 +22492,6 @@ Run teleta-site --help for more.
     <message>
         <source>Sa&amp;ve as…</source>
         <translation>名前を付けて保存(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>Make a st&amp;udy…</source>
-        <translation>実験を作成(&amp;U)…</translation>
     </message>
     <message>
         <source>feedback</source>
@@ -22657,10 +22653,6 @@ Run teleta-site --help for more.
         <translation>レベルのある課題を追加(&amp;L)</translation>
     </message>
     <message>
-        <source>Re&amp;cord each session</source>
-        <translation>各セッションを記録(&amp;C)</translation>
-    </message>
-    <message>
         <source>names separated by semicolons, for the description of exported data</source>
         <translation>「;」で区切った名前。エクスポートしたデータの説明に使います</translation>
     </message>
@@ -22669,8 +22661,20 @@ Run teleta-site --help for more.
         <translation>著者(&amp;H)</translation>
     </message>
     <message>
-        <source>Tr&amp;iggers</source>
-        <translation>トリガー(&amp;I)</translation>
+        <source>Record each sess&amp;ion</source>
+        <translation>各セッションを記録(&amp;I)</translation>
+    </message>
+    <message>
+        <source>May &amp;be felt again</source>
+        <translation>再提示(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Tri&amp;ggers</source>
+        <translation>トリガー(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke a study…</source>
+        <translation>実験を作成(&amp;K)…</translation>
     </message>
 </context>
 <context>
@@ -22931,10 +22935,6 @@ Run teleta-site --help for more.
         <translation>荷重がかかると値が下がる(&amp;V)</translation>
     </message>
     <message>
-        <source>Start &amp;again at the end</source>
-        <translation>末尾で先頭に戻る(&amp;A)</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>記録を開く</translation>
     </message>
@@ -23044,6 +23044,10 @@ Run teleta-site --help for more.
     <message>
         <source>Gains of the ta&amp;xels:</source>
         <translation>タクセルのゲイン(&amp;X):</translation>
+    </message>
+    <message>
+        <source>&amp;Start again at the end</source>
+        <translation>末尾で先頭に戻る(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -26163,10 +26167,6 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>フレームごとに有効な最小のしきい値を求めます。上の値がその下限です</translation>
     </message>
     <message>
-        <source>&amp;Noise height:</source>
-        <translation>ノイズ高さ(&amp;N):</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
@@ -26266,6 +26266,10 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Force over:</source>
         <translation>力の範囲:</translation>
+    </message>
+    <message>
+        <source>No&amp;ise height:</source>
+        <translation>ノイズ高さ(&amp;I):</translation>
     </message>
 </context>
 <context>

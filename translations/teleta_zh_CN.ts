@@ -799,10 +799,6 @@
         <translation>%1 有 %2 个触觉单元</translation>
     </message>
     <message>
-        <source>%1 = %2 rows x %3 columns; others with --rows and --columns</source>
-        <translation>%1 = %2 行 x %3 列；其他行列数用 --rows 和 --columns 指定</translation>
-    </message>
-    <message>
         <source>the file does not say when its frames were taken</source>
         <translation>文件未说明各帧的采集时间</translation>
     </message>
@@ -875,10 +871,6 @@
         <translation>%1 没有说明哪一维是帧数</translation>
     </message>
     <message>
-        <source>--frame-axis first or last, or a time_s for each frame</source>
-        <translation>--frame-axis first 或 last，或每帧一个 time_s</translation>
-    </message>
-    <message>
         <source>a frame of %1 has the shape %2 x %3</source>
         <translation>%1 的一帧形状为 %2 x %3</translation>
     </message>
@@ -893,10 +885,6 @@
     <message>
         <source>%1 can be a grid of 3 columns, or %2 taxels with x, y and z each</source>
         <translation>%1 可能是 3 列的网格，也可能是各有 x、y、z 的 %2 个触觉单元</translation>
-    </message>
-    <message>
-        <source>--rows %1 --columns 3 for the grid; of vectors, the file that says where the taxels are (--layout FILE.toml)</source>
-        <translation>网格用 --rows %1 --columns 3；向量用说明触觉单元位置的文件（--layout FILE.toml）</translation>
     </message>
     <message>
         <source>%1 has %2 numbers</source>
@@ -930,6 +918,18 @@
         <source>positions_m has taxel %1 at %2 = %3 mm, the layout at %4 mm</source>
         <comment>a number, x, y or z, two places</comment>
         <translation>positions_m 中触觉单元 %1 位于 %2 = %3 mm，布局中位于 %4 mm</translation>
+    </message>
+    <message>
+        <source>the dimension that counts the frames, the first or the last (--frame-axis), or a time_s for each frame</source>
+        <translation>计帧的维度，第一维或最后一维（--frame-axis），或每帧一个 time_s</translation>
+    </message>
+    <message>
+        <source>for the grid, %1 rows and 3 columns (--rows %1 --columns 3); for vectors, the file that says where the taxels are (--layout FILE.toml)</source>
+        <translation>网格用 %1 行和 3 列（--rows %1 --columns 3）；向量用说明触觉单元位置的文件（--layout FILE.toml）</translation>
+    </message>
+    <message>
+        <source>%1 = %2 rows x %3 columns, or others (--rows N --columns M)</source>
+        <translation>%1 = %2 行 x %3 列，或其他行列数（--rows N --columns M）</translation>
     </message>
 </context>
 <context>
@@ -4761,8 +4761,8 @@ Examples:
         <translation>这些帧跨越了 %1 年以上</translation>
     </message>
     <message>
-        <source>times in seconds; see --time-unit</source>
-        <translation>以秒为单位的时间；见 --time-unit</translation>
+        <source>times in seconds, or their unit (--time-unit UNIT)</source>
+        <translation>以秒为单位的时间，或其单位（--time-unit UNIT）</translation>
     </message>
 </context>
 <context>
@@ -4915,10 +4915,6 @@ Examples:
         <translation>不指定帧率</translation>
     </message>
     <message>
-        <source>%1; a table of another program is read with %2</source>
-        <translation>%1；其他程序的表格用 %2 读取</translation>
-    </message>
-    <message>
         <source>the file</source>
         <translation>文件</translation>
     </message>
@@ -4941,6 +4937,10 @@ Examples:
     <message>
         <source>at most %1 values</source>
         <translation>至多 %1 个值</translation>
+    </message>
+    <message>
+        <source>%1; of a table of another program, which columns are times and taxels (%2)</source>
+        <translation>%1；若是其他程序的表格，则需指明哪些列是时间和触觉单元（%2）</translation>
     </message>
 </context>
 <context>
@@ -8322,6 +8322,10 @@ x %4，y %5
     <message>
         <source>Keyframes before the beginning of their effect, moved to it: %1.</source>
         <translation>位于其效果开始之前、已移到开始处的关键帧：%1。</translation>
+    </message>
+    <message>
+        <source>Shapes and phases of waves left out: %1. The motors play their strength only.</source>
+        <translation>略去的波形和相位：%1。电机只播放其强度。</translation>
     </message>
 </context>
 <context>
@@ -14960,16 +14964,16 @@ Run teleta-site --help for more.
         <translation>%1 不是时间</translation>
     </message>
     <message>
-        <source>a number, or --time-unit iso</source>
-        <translation>数值，或 --time-unit iso</translation>
-    </message>
-    <message>
         <source>a finite number</source>
         <translation>有限数</translation>
     </message>
     <message>
         <source>a date and time such as 2026-05-01T12:00:00.5</source>
         <translation>日期和时间，例如 2026-05-01T12:00:00.5</translation>
+    </message>
+    <message>
+        <source>a number, or iso as the unit (--time-unit iso)</source>
+        <translation>数值，或以 iso 为单位（--time-unit iso）</translation>
     </message>
 </context>
 <context>
@@ -18147,8 +18151,8 @@ Run teleta-site --help for more.
         <translation>检测器(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;New reference</source>
-        <translation>新参考(&amp;N)</translation>
+        <source>Ne&amp;w reference</source>
+        <translation>新参考(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -18412,8 +18416,8 @@ Run teleta-site --help for more.
         <translation>冻结画面；仍继续跟踪标记（空格）</translation>
     </message>
     <message>
-        <source>&amp;New rest</source>
-        <translation>重新取静止(&amp;N)</translation>
+        <source>Ne&amp;w rest</source>
+        <translation>重新取静止(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -19186,10 +19190,6 @@ Run teleta-site --help for more.
         <translation>数据源</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>打开(&amp;O)</translation>
-    </message>
-    <message>
         <source>Open a simulated scene or a recording</source>
         <translation>打开模拟场景或记录</translation>
     </message>
@@ -19224,6 +19224,10 @@ Run teleta-site --help for more.
     <message>
         <source>A recording of this program or as MCAP, or recorded frames of an array: CSV, NumPy, HDF5, MATLAB, Tekscan</source>
         <translation>本程序的记录或 MCAP，或阵列的帧记录：CSV、NumPy、HDF5、MATLAB、Tekscan</translation>
+    </message>
+    <message>
+        <source>Ope&amp;n</source>
+        <translation>打开(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -19655,20 +19659,12 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::CameraDialog</name>
     <message>
-        <source>Start &amp;again at the end</source>
-        <translation>到末尾后重新开始(&amp;A)</translation>
-    </message>
-    <message>
         <source>Open camera</source>
         <translation>打开相机</translation>
     </message>
     <message>
         <source>…</source>
         <translation>…</translation>
-    </message>
-    <message>
-        <source>&amp;Camera or video:</source>
-        <translation>相机或视频(&amp;C)：</translation>
     </message>
     <message>
         <source>Ca&amp;libration:</source>
@@ -19693,6 +19689,14 @@ Run teleta-site --help for more.
     <message>
         <source>none: only show the picture</source>
         <translation>无：仅观看</translation>
+    </message>
+    <message>
+        <source>&amp;Start again at the end</source>
+        <translation>到末尾后重新开始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Camera or &amp;video:</source>
+        <translation>相机或视频(&amp;V)：</translation>
     </message>
 </context>
 <context>
@@ -20340,10 +20344,6 @@ Run teleta-site --help for more.
         <translation>间距(&amp;P)：</translation>
     </message>
     <message>
-        <source>&amp;Columns of the taxels:</source>
-        <translation>触觉单元的列(&amp;C)：</translation>
-    </message>
-    <message>
         <source>Column of the &amp;times:</source>
         <translation>时间的列(&amp;T)：</translation>
     </message>
@@ -20394,6 +20394,10 @@ Run teleta-site --help for more.
     <message>
         <source>Arrays (*.toml)</source>
         <translation>阵列 (*.toml)</translation>
+    </message>
+    <message>
+        <source>Co&amp;lumns of the taxels:</source>
+        <translation>触觉单元的列(&amp;L)：</translation>
     </message>
 </context>
 <context>
@@ -20990,10 +20994,6 @@ Run teleta-site --help for more.
         <translation>用相机探测</translation>
     </message>
     <message>
-        <source>&amp;Camera or video:</source>
-        <translation>相机或视频(&amp;C)：</translation>
-    </message>
-    <message>
         <source>Ri&amp;ngs:</source>
         <translation>圈数(&amp;N)：</translation>
     </message>
@@ -21020,6 +21020,10 @@ Run teleta-site --help for more.
     <message>
         <source>Holes per &amp;ring:</source>
         <translation>每圈孔数(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Camera or &amp;video:</source>
+        <translation>相机或视频(&amp;V)：</translation>
     </message>
 </context>
 <context>
@@ -21639,10 +21643,6 @@ Run teleta-site --help for more.
         <translation>模拟：无真人参与，处处标为“模拟”</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
-        <translation>选择(&amp;C)…</translation>
-    </message>
-    <message>
         <source>&amp;Mode</source>
         <translation>模式(&amp;M)</translation>
     </message>
@@ -21728,6 +21728,10 @@ Run teleta-site --help for more.
     <message>
         <source>Determines the order of all trials: the same seed gives the same study. It is drawn at random, shown here and kept with the study.</source>
         <translation>决定所有试次的顺序：相同的种子得到相同的研究。它随机抽取，显示在此处，并随研究保存。</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>选择(&amp;H)…</translation>
     </message>
 </context>
 <context>
@@ -22363,10 +22367,6 @@ Run teleta-site --help for more.
         <translation>最后一列 utc_s，自 1970 年起的秒数</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
-        <translation>选择(&amp;C)…</translation>
-    </message>
-    <message>
         <source>Folder of recordings</source>
         <translation>记录的文件夹</translation>
     </message>
@@ -22385,6 +22385,10 @@ Run teleta-site --help for more.
     <message>
         <source>&amp;Folder of recordings:</source>
         <translation>记录的文件夹(&amp;F)：</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>选择(&amp;H)…</translation>
     </message>
 </context>
 <context>
@@ -22458,10 +22462,6 @@ Run teleta-site --help for more.
         <translation>回答时限(&amp;W)</translation>
     </message>
     <message>
-        <source>May be felt a&amp;gain</source>
-        <translation>可再次感受(&amp;G)</translation>
-    </message>
-    <message>
         <source>Or&amp;der</source>
         <translation>顺序(&amp;D)</translation>
     </message>
@@ -22492,10 +22492,6 @@ Run teleta-site --help for more.
     <message>
         <source>Sa&amp;ve as…</source>
         <translation>另存为(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>Make a st&amp;udy…</source>
-        <translation>创建研究(&amp;U)…</translation>
     </message>
     <message>
         <source>feedback</source>
@@ -22657,10 +22653,6 @@ Run teleta-site --help for more.
         <translation>添加带刺激水平的任务(&amp;L)</translation>
     </message>
     <message>
-        <source>Re&amp;cord each session</source>
-        <translation>记录每个场次(&amp;C)</translation>
-    </message>
-    <message>
         <source>names separated by semicolons, for the description of exported data</source>
         <translation>以 ; 分隔的姓名，用于导出数据的说明</translation>
     </message>
@@ -22669,8 +22661,20 @@ Run teleta-site --help for more.
         <translation>作者(&amp;H)</translation>
     </message>
     <message>
-        <source>Tr&amp;iggers</source>
-        <translation>触发信号(&amp;I)</translation>
+        <source>Record each sess&amp;ion</source>
+        <translation>记录每个场次(&amp;I)</translation>
+    </message>
+    <message>
+        <source>May &amp;be felt again</source>
+        <translation>可再次感受(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Tri&amp;ggers</source>
+        <translation>触发信号(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke a study…</source>
+        <translation>创建研究(&amp;K)…</translation>
     </message>
 </context>
 <context>
@@ -22931,10 +22935,6 @@ Run teleta-site --help for more.
         <translation>数值随载荷增大而下降(&amp;V)</translation>
     </message>
     <message>
-        <source>Start &amp;again at the end</source>
-        <translation>到末尾后重新开始(&amp;A)</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>打开记录</translation>
     </message>
@@ -23044,6 +23044,10 @@ Run teleta-site --help for more.
     <message>
         <source>Gains of the ta&amp;xels:</source>
         <translation>触觉单元的增益(&amp;X)：</translation>
+    </message>
+    <message>
+        <source>&amp;Start again at the end</source>
+        <translation>到末尾后重新开始(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -26163,10 +26167,6 @@ Enter what you assume on the left, and choose Plan.</source>
         <translation>在每帧中求最低的有效阈值；上方的值为其下限</translation>
     </message>
     <message>
-        <source>&amp;Noise height:</source>
-        <translation>噪声高度(&amp;N)：</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
@@ -26266,6 +26266,10 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Force over:</source>
         <translation>力的范围：</translation>
+    </message>
+    <message>
+        <source>No&amp;ise height:</source>
+        <translation>噪声高度(&amp;I)：</translation>
     </message>
 </context>
 <context>
