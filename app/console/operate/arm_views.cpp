@@ -32,6 +32,14 @@ std::vector<Eigen::Vector3d> atHeight(const std::vector<contour::Point>& points_
     return lifted;
 }
 
+void keepTouch(std::vector<pipeline::TouchRecord>& touches, const pipeline::TouchRecord& record) {
+    // A recording that is played again tells its touches again.
+    std::erase_if(touches, [&](const auto& kept) { return kept.number == record.number; });
+    if (touches.size() >= touch::TouchTable::kCapacity)
+        touches.erase(touches.begin());
+    touches.push_back(record);
+}
+
 } // namespace
 
 ArmViews::ArmViews(core::StopSwitch& stop, BraceletService& bracelet, view3d::Scene3dView& scene,
@@ -188,13 +196,15 @@ void ArmViews::takeTouches() {
     }
 }
 
+void ArmViews::keep(const std::shared_ptr<pipeline::ArmChannel>& arm) {
+    pipeline::TouchRecord record;
+    while (arm && arm->popTouch(record))
+        keepTouch(m_kept[arm].touches, record);
+}
+
 void ArmViews::showTouch(const pipeline::TouchRecord& record) {
     m_touches->append(record);
-    // A recording that is played again tells its touches again.
-    std::erase_if(m_shownTouches, [&](const auto& shown) { return shown.number == record.number; });
-    if (m_shownTouches.size() >= touch::TouchTable::kCapacity)
-        m_shownTouches.erase(m_shownTouches.begin());
-    m_shownTouches.push_back(record);
+    keepTouch(m_shownTouches, record);
     if (record.stiffness)
         m_gauge->setTouch(record.stiffness);
     else if (record.refusal)

@@ -67,6 +67,8 @@ public:
     void setProgramRunning(bool running) { m_joints->setProgramRunning(running); }
     /// Restarts the program; earlier findings are dropped once it has restarted.
     void restartProgram() { m_joints->restartProgram(); }
+    /// Keeps what an arm that is not shown has touched until it is shown.
+    void keep(const std::shared_ptr<pipeline::ArmChannel>& arm);
     /// Translates the labels in the reconstruction anew.
     void retranslate();
     /// Starts a new object with the next touch.

@@ -60,6 +60,16 @@ void CameraViews::setCamera(std::shared_ptr<pipeline::CameraChannel> camera, bas
         show(m_camera->snapshot());
 }
 
+void CameraViews::keep(const std::shared_ptr<pipeline::CameraChannel>& camera) {
+    pipeline::CameraEvent event;
+    while (camera && camera->popEvent(event)) {
+        auto& kept = m_kept[camera];
+        kept.push_front(event);
+        if (kept.size() > camera::EventModel::kCapacity)
+            kept.pop_back();
+    }
+}
+
 bool CameraViews::tick() {
     if (!m_camera)
         return false;

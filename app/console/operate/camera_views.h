@@ -35,6 +35,8 @@ public:
     /// Shows another camera; null: none.
     void setCamera(std::shared_ptr<pipeline::CameraChannel> camera, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<pipeline::CameraChannel>& camera() const { return m_camera; }
+    /// Keeps the events of one that is not shown until it is shown.
+    void keep(const std::shared_ptr<pipeline::CameraChannel>& camera);
     /// Shows what came since the last tick; true when there was a new picture.
     bool tick();
     /// Time from the read of the newest frame to its picture; empty without one.

@@ -76,6 +76,16 @@ void GelViews::setGel(std::shared_ptr<pipeline::GelChannel> gel, base::Provenanc
         show(m_gel->snapshot());
 }
 
+void GelViews::keep(const std::shared_ptr<pipeline::GelChannel>& gel) {
+    pipeline::GelEvent event;
+    while (gel && gel->popEvent(event)) {
+        auto& kept = m_kept[gel];
+        kept.push_front(event);
+        if (kept.size() > camera::GelEventModel::kCapacity)
+            kept.pop_back();
+    }
+}
+
 bool GelViews::tick() {
     if (!m_gel)
         return false;

@@ -35,6 +35,8 @@ public:
     /// Shows another gel; null: none.
     void setGel(std::shared_ptr<pipeline::GelChannel> gel, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<pipeline::GelChannel>& gel() const { return m_gel; }
+    /// Keeps the events of one that is not shown until it is shown.
+    void keep(const std::shared_ptr<pipeline::GelChannel>& gel);
     /// Shows what came since the last tick; true when there was a new picture.
     bool tick();
     /// Time from the read of the newest picture until it was shown; empty without one.

@@ -184,6 +184,14 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     onActiveChanged();
 }
 
+/// What a source that is not shown tells is of no use but for what happened to it.
+void OperatePage::passOver(SourceManager::Item& item) {
+    m_arm->keep(item.arm());
+    m_camera->keep(item.camera());
+    m_gel->keep(item.gel());
+    item.channel->drain();
+}
+
 void OperatePage::tick() {
     const std::int64_t now_ns = core::steadyNow_ns();
     for (SourceManager::Item& item : m_sources.items()) {
@@ -195,7 +203,7 @@ void OperatePage::tick() {
         if (item.sceneCamera())
             tickSceneCamera(item, now_ns);
         if (&item != m_sources.active())
-            item.channel->drain();
+            passOver(item);
         else if (const auto array = item.array())
             tickArray(*array, item, now_ns);
     }

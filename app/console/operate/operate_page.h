@@ -110,6 +110,7 @@ private:
     void showArray(pipeline::TouchChannel* array, base::Provenance provenance);
     /// In the heatmap and on the arm, where a contact goes on over the seam of the skin.
     void showFrame(pipeline::TouchSnapshot frame);
+    void passOver(SourceManager::Item& item);
     void tickArray(pipeline::TouchChannel& array, SourceManager::Item& item, std::int64_t now_ns);
     void tickSceneCamera(SourceManager::Item& item, std::int64_t now_ns);
     /// Of the streams of a site that are open here; null: none.

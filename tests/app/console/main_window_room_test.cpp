@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -48,6 +49,8 @@ class MainWindowRoomTest : public QObject, protected test::WindowBench {
         return m_window->findChild<Widget*>();
     }
 
+    QTemporaryDir m_folder;
+
     QWidget& dock(const char* name) const { return *m_window->findChild<QDockWidget*>(QLatin1String(name)); }
 
     /// Docks are laid out by events that others have posted.
@@ -62,7 +65,10 @@ class MainWindowRoomTest : public QObject, protected test::WindowBench {
     }
 
 private slots:
-    void initTestCase() { base::applyTheme(base::ThemeChoice::light); }
+    void initTestCase() {
+        base::applyTheme(base::ThemeChoice::light);
+        qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
+    }
     void cleanup() { m_window.reset(); }
 
     void everyPageFitsASmallScreenInEveryLanguage_data() {
@@ -234,7 +240,13 @@ private slots:
         const auto begin = [&] {
             openWindow(options, false);
             const auto& items = m_window->sources().items();
-            QTRY_VERIFY_WITH_TIMEOUT(std::ssize(items) == options.scenes.size() && showsData(), 20'000);
+            // One that opens later would be shown instead.
+            const auto isReady = [&] {
+                return std::ssize(items) == options.scenes.size() &&
+                       std::ranges::all_of(items, [](const auto& item) { return item.isOpen(); }) &&
+                       showsData();
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(isReady(), 20'000);
             choose(0);
             QTRY_VERIFY(dock("stiffness").isVisible());
         };

@@ -333,6 +333,30 @@ private slots:
         QVERIFY(child<touch::RunSheet>()->model().undoStack().canUndo());
     }
 
+    void whatAnArmTouchesWhileAnotherSourceIsShownIsToldWhenItIsShownAgain() {
+        openArm();
+        const auto channel = m_window->operatePage().armViews().arm();
+        const auto armKey = m_window->sources().items().front().key;
+        ConsoleOptions other;
+        other.scenes = {QStringLiteral(":/scenes/tactile-indenter.toml")};
+        m_window->openRequested(other);
+        QTRY_VERIFY_WITH_TIMEOUT(arm() == nullptr, 20'000);
+        // It meets its object only now.
+        channel->restartProgram();
+        const auto ready_ns = core::steadyNow_ns();
+        const auto hasTouched = [&] {
+            (void)channel->update();
+            const auto& last = channel->snapshot().lastTouch;
+            return last && last->ready_ns > ready_ns;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(hasTouched(), 30'000);
+        QVERIFY(arm() == nullptr);
+        m_window->sources().activate(armKey);
+        QTRY_VERIFY(child<touch::StiffnessGauge>()->content().touch.has_value());
+        QCOMPARE(child<touch::StiffnessGauge>()->content().touch->material, stiffness::Material::metal);
+        QCOMPARE(child<touch::TouchTable>()->touches(), 1);
+    }
+
     void aTactorIsFeltWhileItIsHeld() {
         openArm();
         auto& bracelet = m_window->bracelet();
