@@ -6,6 +6,7 @@
 #include "widgets/base/theme.h"
 
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QStringList>
 #include <QUndoStack>
@@ -58,7 +59,7 @@ GainsView::GainsView(QWidget* parent)
         connect(button(name), &QPushButton::clicked, this, slot);
     };
     act("reset", [this] { take({}); });
-    act("tare", &GainsView::tareRequested);
+    act("tare", &GainsView::askToTare);
     act("collect", &GainsView::collectRequested);
     act("end", &GainsView::endRequested);
     act("files", &GainsView::pressFilesRequested);
@@ -94,6 +95,24 @@ QWidget* GainsView::makeSteps() {
     layout->addWidget(verdict());
     layout->addStretch(1);
     return page;
+}
+
+void GainsView::askToTare() {
+    if (m_facts.loaded == 0) {
+        emit tareRequested();
+        return;
+    }
+    auto* ask = new QMessageBox(QMessageBox::Question, tr("Tare the array"),
+                                tr("%1 of %2 taxels are under load.").arg(m_facts.loaded).arg(m_facts.usable),
+                                QMessageBox::Cancel, this);
+    ask->setObjectName(QStringLiteral("tareUnderLoad"));
+    ask->setInformativeText(tr("What presses on the array during the tare counts as no load afterwards. Tare "
+                               "only if nothing touches the array and the loads shown are drift."));
+    auto* tare = ask->addButton(tr("&Tare under load"), QMessageBox::AcceptRole);
+    ask->setDefaultButton(QMessageBox::Cancel);
+    ask->setAttribute(Qt::WA_DeleteOnClose);
+    connect(tare, &QPushButton::clicked, this, &GainsView::tareRequested);
+    ask->open();
 }
 
 void GainsView::setFacts(const ArrayFacts& facts) {
@@ -158,10 +177,11 @@ StepReading GainsView::step() const {
         return {.state = StepState::running, .share = m_pressing->collected_s / m_pressing->wanted_s};
     if (m_busy)
         return {.state = StepState::running};
-    if (!m_trouble.isEmpty())
-        return {.state = StepState::failed};
+    // What could be lost counts before what went wrong, which the page says.
     if (!isSaved())
         return {.state = StepState::notSaved};
+    if (!m_trouble.isEmpty())
+        return {.state = StepState::failed};
     return {.state = m_calibration.gains ? StepState::done : StepState::toDo};
 }
 
@@ -229,8 +249,10 @@ void GainsView::refresh() {
     m_pressText->setText(text);
     QString load;
     if (m_pressing)
-        load = m_pressing->waiting ? tr("Waiting for a load on more than half of the taxels: %1 of %2 now.")
-                                   : tr("Keep pressing: %1 of %2 taxels are under load.");
+        load = m_pressing->waiting
+                   ? tr("Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is "
+                        "pressed already, it was tared under that load: take the load off and tare again.")
+                   : tr("Keep pressing: %1 of %2 taxels are under load.");
     else if (open && m_facts.usable > 0)
         load = tr("%1 of %2 taxels are under load.");
     m_loadText->setText(load.isEmpty() ? load : load.arg(m_facts.loaded).arg(m_facts.usable));
@@ -247,7 +269,7 @@ void GainsView::refresh() {
     enable("load", idle && open);
     enable("reset", idle && (hasGains || presses > 0));
     enable("save", idle && hasGains);
-    enable("tare", idle && open);
+    enable("tare", (idle || (m_pressing && m_pressing->waiting)) && open);
     enable("collect", idle && open);
     enable("files", idle && open);
     button("collect")->setVisible(!m_pressing && open);

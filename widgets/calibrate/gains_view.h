@@ -84,6 +84,8 @@ signals:
 
 private:
     QWidget* makeSteps();
+    /// Asks first when taxels are under load.
+    void askToTare();
     void apply(const GainCalibration& calibration);
     void undo() override;
     void redo() override;

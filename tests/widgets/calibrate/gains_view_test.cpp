@@ -6,10 +6,12 @@
 #include "widgets/calibrate/gains_view.h"
 
 #include <QApplication>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -78,8 +80,45 @@ private slots:
         QCOMPARE(desk.view.step(), StepReading{.state = StepState::failed});
         desk.view.take(onePress());
         QCOMPARE(desk.view.step(), StepReading{.state = StepState::notSaved});
+        desk.view.showTrouble("no load");
+        QCOMPARE(desk.view.step(), StepReading{.state = StepState::notSaved}); // gains could be lost
+        desk.view.take(onePress());
         desk.view.markSaved();
         QCOMPARE(desk.view.step(), StepReading{.state = StepState::done});
+    }
+
+    void aTareUnderLoadIsAskedAbout() {
+        GainsDesk desk;
+        desk.view.setFacts({.name = QStringLiteral("Array"), .tared = true, .usable = 6, .loaded = 5});
+        QSignalSpy tares(&desk.view, &GainsView::tareRequested);
+        const auto question = [&] { return desk.view.findChild<QMessageBox*>("tareUnderLoad"); };
+        QTest::mouseClick(test::part(desk.view, "tare"), Qt::LeftButton);
+        QVERIFY(question() != nullptr);
+        QCOMPARE(question()->text(), QString("5 of 6 taxels are under load."));
+        QTest::keyClick(question(), Qt::Key_Return);
+        QTRY_VERIFY(question() == nullptr);
+        QCOMPARE(tares.size(), 0);
+        QTest::mouseClick(test::part(desk.view, "tare"), Qt::LeftButton);
+        for (QAbstractButton* button : question()->buttons())
+            if (question()->buttonRole(button) == QMessageBox::AcceptRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY(question() == nullptr);
+        QCOMPARE(tares.size(), 1);
+    }
+
+    void aPressThatWaitsSaysWhyAndLetsTheArrayBeTared() {
+        GainsDesk desk;
+        QSignalSpy tares(&desk.view, &GainsView::tareRequested);
+        desk.view.setProgress(PressProgress{.waiting = true, .collected_s = 0.0, .wanted_s = 5.0});
+        const auto labels = desk.view.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QLatin1String("0 of 6 now")) &&
+                   label->text().contains(QLatin1String("tared under that load"));
+        }));
+        QTest::mouseClick(test::part(desk.view, "tare"), Qt::LeftButton);
+        QCOMPARE(tares.size(), 1);
+        desk.view.setProgress(PressProgress{.waiting = false, .collected_s = 0.5, .wanted_s = 5.0});
+        QVERIFY(!test::part(desk.view, "tare")->isEnabled());
     }
 
     void withoutAnArrayItOffersTheDemoAndNothingElse() {
