@@ -127,10 +127,11 @@ void LoadsView::showTrouble(const QString& text) {
 StepReading LoadsView::step() const {
     if (m_busy)
         return {.state = StepState::running};
-    if (!m_trouble.isEmpty())
-        return {.state = StepState::failed};
+    // What could be lost counts before what went wrong, which the page says.
     if (!isSaved())
         return {.state = StepState::notSaved};
+    if (!m_trouble.isEmpty())
+        return {.state = StepState::failed};
     return {.state = m_found ? StepState::done : StepState::toDo};
 }
 

@@ -196,10 +196,11 @@ calibrate::StepReading MotorCalibrator::step() const {
                 .share = (static_cast<double>(m_asked - m_waiting.size()) - 1.0 +
                           (m_run ? m_run->progress.load() : 0.0)) /
                          static_cast<double>(m_asked)};
-    if (m_failed)
-        return {.state = StepState::failed};
+    // What could be lost counts before what went wrong, which the page says.
     if (!m_view->isSaved())
         return {.state = StepState::notSaved};
+    if (m_failed)
+        return {.state = StepState::failed};
     return {.state = measured == all ? StepState::done : StepState::toDo, .number = measured, .of = all};
 }
 

@@ -137,6 +137,19 @@ private slots:
         QTRY_COMPARE(chip(0), QString("to do"));
     }
 
+    void afterAFailureTheStepStillSaysThatAMotorIsNotSaved() {
+        motors::MotorCalibration measured = view().calibration();
+        measured.motors[0].profile.startDrive = 0.21;
+        measured.motors[0].startFrom = motors::CalibratedMotor::Origin::recording;
+        view().takeProfile(measured);
+        QTRY_COMPARE(chip(0), QString("not saved"));
+        QTest::mouseClick(test::part(view(), "measureAll"), Qt::LeftButton);
+        QTRY_COMPARE(chip(0), QString("running: 1 of 6"));
+        m_stop.engage();
+        QTRY_VERIFY_WITH_TIMEOUT(test::textOf(view(), "verdict").contains(QLatin1String("STOP")), 10'000);
+        QTRY_COMPARE(chip(0), QString("not saved"));
+    }
+
     void leavesABraceletAloneThatIsReserved() {
         m_station->reserve(true);
         QTRY_VERIFY(!test::part(view(), "measure")->isEnabled());
