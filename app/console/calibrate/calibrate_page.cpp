@@ -95,6 +95,35 @@ bool CalibratePage::isSaved(int part) const {
     }
 }
 
+bool CalibratePage::canSave(int part) const {
+    switch (part) {
+    case motorsPart:
+        return m_motors->canSave();
+    case cameraPart:
+        return m_camera->canSave();
+    case gainsPart:
+        return m_gains->canSave();
+    default:
+        return m_loads->canSave();
+    }
+}
+
+void CalibratePage::save(int part, std::function<void()> done) {
+    switch (part) {
+    case motorsPart:
+        m_motors->save({}, std::move(done));
+        break;
+    case cameraPart:
+        m_camera->askToSave(std::move(done));
+        break;
+    case gainsPart:
+        m_gains->askToSave(std::move(done));
+        break;
+    default:
+        m_loads->askToSave(std::move(done));
+    }
+}
+
 bool CalibratePage::hasUnsaved() const {
     for (int part = 0; part < partCount; ++part)
         if (!isSaved(part))
@@ -120,7 +149,7 @@ void CalibratePage::settle(int part) {
         return;
     }
     m_parts->setCurrentRow(part);
-    const bool canSave = part == motorsPart && m_motors->canSave();
+    const bool canSave = this->canSave(part);
     const QString motors = part == motorsPart ? m_motors->unsavedText() : QString();
     auto* ask = new QMessageBox(
         QMessageBox::Question, tr("Unsaved calibration"),
@@ -137,7 +166,7 @@ void CalibratePage::settle(int part) {
     connect(ask, &QMessageBox::finished, this, [this, part](int answer) {
         m_question = nullptr;
         if (answer == QMessageBox::Save)
-            m_motors->save({}, [this, part] { settle(part); });
+            save(part, [this, part] { settle(part); });
         else if (answer == QMessageBox::Discard)
             settle(part + 1);
     });
@@ -154,13 +183,18 @@ void CalibratePage::whenGainsSettled(pipeline::ChannelKey key, const QString& na
     auto* ask = new QMessageBox(QMessageBox::Question, tr("Unsaved calibration"),
                                 tr("The taxel gains of %1 are not saved.", "a source").arg(name),
                                 QMessageBox::Discard | QMessageBox::Cancel, window());
+    const bool canSave = m_gains->isShown(key) && m_gains->canSave();
+    if (canSave)
+        ask->addButton(QMessageBox::Save);
     ask->setObjectName(QStringLiteral("unsavedGains"));
     ask->setInformativeText(tr("They are lost when the source is closed. Save them on the page Calibrate."));
     ask->setAttribute(Qt::WA_DeleteOnClose);
-    ask->setDefaultButton(QMessageBox::Cancel);
-    connect(ask, &QMessageBox::finished, this, [goOn = std::move(goOn)](int answer) {
+    ask->setDefaultButton(canSave ? QMessageBox::Save : QMessageBox::Cancel);
+    connect(ask, &QMessageBox::finished, this, [this, goOn = std::move(goOn)](int answer) {
         if (answer == QMessageBox::Discard)
             goOn();
+        else if (answer == QMessageBox::Save)
+            m_gains->askToSave(goOn);
     });
     ask->open();
 }

@@ -58,6 +58,9 @@ signals:
 private:
     void addPart(QWidget* content);
     [[nodiscard]] bool isSaved(int part) const;
+    [[nodiscard]] bool canSave(int part) const;
+    /// done: called once it is saved.
+    void save(int part, std::function<void()> done);
     void settle(int part);
     void retranslate();
 

@@ -75,13 +75,7 @@ GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
         base::askToOpen(m_view, {tr("Load gains"), {tr("Gains (*.csv)")}},
                         [this](const QString& path) { load(path); });
     });
-    connect(m_view, &GainsView::saveRequested, this, [this] {
-        base::askToSave(m_view,
-                        {.title = tr("Save the gains"),
-                         .filters = {tr("Gains (*.csv)")},
-                         .suffix = QStringLiteral("csv")},
-                        [this](const QString& path) { save(path); });
-    });
+    connect(m_view, &GainsView::saveRequested, this, [this] { askToSave(); });
     connect(m_view, &GainsView::demoRequested, this, &GainCalibrator::demoRequested);
     connect(m_view, &GainsView::exportFailed, this, [this](const QString& message) {
         emit trouble(message, tr("Choose another folder or file name."));
@@ -122,7 +116,7 @@ bool GainCalibrator::isSaved() const {
 }
 
 bool GainCalibrator::isSaved(pipeline::ChannelKey key) const {
-    if (m_channel && key == m_key)
+    if (isShown(key))
         return m_view->isSaved();
     const auto left = m_left.find(key);
     return left == m_left.end() || left->second.isSaved;
@@ -214,7 +208,14 @@ void GainCalibrator::find(std::function<Found()> work) {
     });
 }
 
-void GainCalibrator::save(const QString& path) {
+void GainCalibrator::askToSave(std::function<void()> done) {
+    base::askToSave(
+        m_view,
+        {.title = tr("Save the gains"), .filters = {tr("Gains (*.csv)")}, .suffix = QStringLiteral("csv")},
+        [this, done = std::move(done)](const QString& path) { save(path, done); });
+}
+
+void GainCalibrator::save(const QString& path, const std::function<void()>& done) {
     const GainCalibration calibration = m_view->calibration();
     if (!calibration.gains)
         return;
@@ -223,12 +224,16 @@ void GainCalibrator::save(const QString& path) {
         [gains = calibration.gains, path] {
             return equilibration::writeTaxelGains(*gains, path.toStdString());
         },
-        [this, path, gains = calibration.gains](const core::Expected<void>& written) {
-            if (!written)
+        [this, path, done, gains = calibration.gains](const core::Expected<void>& written) {
+            if (!written) {
                 emit trouble(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
                              QString::fromStdString(core::describe(written.error())));
-            else if (gains == m_view->calibration().gains)
+                return;
+            }
+            if (gains == m_view->calibration().gains)
                 m_view->markSaved();
+            if (done)
+                done();
         });
 }
 

@@ -37,7 +37,13 @@ public:
     /// Reads presses from files of frames.
     void openPresses(const QStringList& paths);
     void load(const QString& path);
-    void save(const QString& path);
+    void save(const QString& path, const std::function<void()>& done = {});
+    /// Whether the array shown is that of this source.
+    [[nodiscard]] bool isShown(pipeline::ChannelKey key) const { return m_channel && key == m_key; }
+    /// Whether the array shown has gains that can be saved.
+    [[nodiscard]] bool canSave() const { return m_view->calibration().gains && !m_view->isSaved(); }
+    /// Asks for a file for them. done: called once they are saved, not after a failure or a refusal.
+    void askToSave(std::function<void()> done = {});
 
 signals:
     void demoRequested();

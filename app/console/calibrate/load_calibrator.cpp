@@ -53,13 +53,7 @@ LoadCalibrator::LoadCalibrator(QWidget* parent)
         base::askToOpen(m_view, {tr("Load a calibration"), {tr("Calibrations (*.csv)")}},
                         [this](const QString& path) { load(path); });
     });
-    connect(m_view, &LoadsView::saveRequested, this, [this] {
-        base::askToSave(m_view,
-                        {.title = tr("Save the calibration"),
-                         .filters = {tr("Calibrations (*.csv)")},
-                         .suffix = QStringLiteral("csv")},
-                        [this](const QString& path) { save(path); });
-    });
+    connect(m_view, &LoadsView::saveRequested, this, [this] { askToSave(); });
 }
 
 void LoadCalibrator::showTrouble(const core::Error& error) {
@@ -112,18 +106,30 @@ void LoadCalibrator::find(std::function<core::Expected<LoadCalibration>()> work,
                           });
 }
 
-void LoadCalibrator::save(const QString& path) {
+void LoadCalibrator::askToSave(std::function<void()> done) {
+    base::askToSave(m_view,
+                    {.title = tr("Save the calibration"),
+                     .filters = {tr("Calibrations (*.csv)")},
+                     .suffix = QStringLiteral("csv")},
+                    [this, done = std::move(done)](const QString& path) { save(path, done); });
+}
+
+void LoadCalibrator::save(const QString& path, const std::function<void()>& done) {
     const LoadsFound found = m_view->found();
     if (!found)
         return;
     base::runInBackground(
         this, [found, path] { return equilibration::writeLoadCalibration(*found, path.toStdString()); },
-        [this, path, found](const core::Expected<void>& written) {
-            if (!written)
+        [this, path, done, found](const core::Expected<void>& written) {
+            if (!written) {
                 emit trouble(tr("%1 could not be saved.", "a file").arg(QFileInfo(path).fileName()),
                              QString::fromStdString(core::describe(written.error())));
-            else if (found == m_view->found())
+                return;
+            }
+            if (found == m_view->found())
                 m_view->markSaved();
+            if (done)
+                done();
         });
 }
 

@@ -26,7 +26,11 @@ public:
     void openPresses(const QString& path);
     void fit(const QStringList& columns);
     void load(const QString& path);
-    void save(const QString& path);
+    void save(const QString& path, const std::function<void()>& done = {});
+    /// Whether there is something that can be saved.
+    [[nodiscard]] bool canSave() const { return m_view->found() && !m_view->isSaved(); }
+    /// Asks for a file for it. done: called once it is saved, not after a failure or a refusal.
+    void askToSave(std::function<void()> done = {});
 
 signals:
     void trouble(const QString& what, const QString& details);

@@ -3,6 +3,7 @@
 #include "app/console/main_window.h"
 #include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/study_page.h"
+#include "backend/equilibration/taxel_gain_file.h"
 #include "backend/motors/motor_file.h"
 #include "backend/study/store/study_store.h"
 #include "tests/app/console/study/study_bench.h"
@@ -14,6 +15,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QStandardPaths>
@@ -215,6 +217,31 @@ private slots:
         QVERIFY(!m_window->close());
         choose("unsavedCalibration2", QMessageBox::DestructiveRole);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+    }
+
+    void gainsAreSavedByTheFirstAnswer() {
+        openWindow(withoutBracelet());
+        auto gains = std::make_shared<equilibration::TaxelGains>();
+        gains->layout = {.rows = 1, .columns = 2, .pitchX_m = 0.01};
+        for (const double gain : {1.25, 0.75})
+            gains->taxels.push_back({.state = equilibration::TaxelState::good, .gain = gain, .error = 0.01});
+        m_window->calibratePage().gains().view().take({{}, gains});
+        QVERIFY(!m_window->close());
+        QMessageBox* ask = question("unsavedCalibration2");
+        QCOMPARE(ask->defaultButton(), ask->button(QMessageBox::Save));
+        QTest::keyClick(ask, Qt::Key_Return);
+        const auto dialog = [&] { return m_window->findChild<QFileDialog*>(); };
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, kPatience_ms);
+        QVERIFY(m_window->isVisible());
+        const QString path = m_folder->filePath(QStringLiteral("gains.csv"));
+        dialog()->selectFile(path);
+        QTest::keyClick(dialog()->findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience_ms);
+        const auto kept = equilibration::readTaxelGains(path.toStdString(), gains->layout);
+        QVERIFY(kept.has_value());
+        QCOMPARE(kept->taxels[0].gain, 1.25);
     }
 
     void gainsThatAreNotSavedKeepTheirSourceOpen() {

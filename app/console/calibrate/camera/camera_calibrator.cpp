@@ -166,12 +166,11 @@ void CameraCalibrator::dropEvent(QDropEvent* event) {
     open(event->mimeData()->urls().front().toLocalFile());
 }
 
-void CameraCalibrator::askForCameraFile() {
+void CameraCalibrator::askToSave(std::function<void()> done) {
     // The camera as it is now: probing may continue behind the dialog.
     base::askToSave(this, {tr("Save the camera"), {tr("Cameras (*.json)")}, m_file, QStringLiteral("json")},
-                    [this, file = cameraFile(), changes = m_changes](const QString& path) {
-                        saveCamera(file, path, changes);
-                    });
+                    [this, file = cameraFile(), changes = m_changes,
+                     done = std::move(done)](const QString& path) { saveCamera(file, path, changes, done); });
 }
 
 void CameraCalibrator::open(const QString& path) {
@@ -196,14 +195,18 @@ bool CameraCalibrator::isSaved() const {
 }
 
 void CameraCalibrator::write(const QString& path, std::uint64_t changes,
-                             std::function<core::Expected<void>()> writer) {
-    base::runInBackground(this, std::move(writer), [this, path, changes](core::Expected<void> written) {
-        if (written && changes == m_changes)
-            m_undo->setClean();
-        if (written)
-            emit message(tr("Saved %1").arg(path), false);
-        else
+                             std::function<core::Expected<void>()> writer,
+                             const std::function<void()>& done) {
+    base::runInBackground(this, std::move(writer), [this, path, changes, done](core::Expected<void> written) {
+        if (!written) {
             emit message(QString::fromStdString(core::describe(written.error())), true);
+            return;
+        }
+        if (changes == m_changes)
+            m_undo->setClean();
+        emit message(tr("Saved %1").arg(path), false);
+        if (done)
+            done();
     });
 }
 
@@ -219,12 +222,13 @@ void CameraCalibrator::save(const QString& path) {
 }
 
 void CameraCalibrator::saveCamera(const std::optional<vision::CameraFile>& file, const QString& path,
-                                  std::uint64_t changes) {
+                                  std::uint64_t changes, const std::function<void()>& done) {
     if (!file) {
         emit message(tr("The camera was not saved. Wait until it is calibrated."), true);
         return;
     }
-    write(path, changes, [file = *file, path] { return vision::writeCamera(file, path.toStdString()); });
+    write(
+        path, changes, [file = *file, path] { return vision::writeCamera(file, path.toStdString()); }, done);
 }
 
 void CameraCalibrator::savePairs(const QString& path) {

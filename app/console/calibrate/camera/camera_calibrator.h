@@ -60,6 +60,10 @@ public:
     void open(const QString& path);
     /// Saves the camera of the chosen method, or reports that there is none.
     void save(const QString& path);
+    /// Whether a camera was found that can be saved.
+    [[nodiscard]] bool canSave() const { return cameraFile().has_value() && !isSaved(); }
+    /// Asks for a file for it. done: called once it is saved, not after a failure or a refusal.
+    void askToSave(std::function<void()> done = {});
     /// Saves all pairs, including excluded ones.
     void savePairs(const QString& path);
     /// Replaces the present ones.
@@ -127,13 +131,13 @@ private:
     void toggle(std::size_t pair);
     [[nodiscard]] std::vector<std::size_t> selectedPairs() const;
     void sizeColumns();
-    void askForCameraFile();
     /// Empty while a fit runs, and without a camera.
     [[nodiscard]] std::optional<vision::CameraFile> cameraFile() const;
     /// changes: value of m_changes for the written data; if it is still the same, everything is saved.
-    void saveCamera(const std::optional<vision::CameraFile>& file, const QString& path,
-                    std::uint64_t changes);
-    void write(const QString& path, std::uint64_t changes, std::function<core::Expected<void>()> writer);
+    void saveCamera(const std::optional<vision::CameraFile>& file, const QString& path, std::uint64_t changes,
+                    const std::function<void()>& done = {});
+    void write(const QString& path, std::uint64_t changes, std::function<core::Expected<void>()> writer,
+               const std::function<void()>& done = {});
 
     Work m_work;
     vision::CalibrationMethod m_method = vision::CalibrationMethod::robust;

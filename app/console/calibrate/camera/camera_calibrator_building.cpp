@@ -39,7 +39,7 @@ void CameraCalibrator::buildTools() {
         base::askToSave(this, {tr("Save the pairs"), {tr("Pairs (*.csv)")}, m_file, QStringLiteral("csv")},
                         [this](const QString& path) { savePairs(path); });
     });
-    m_save = m_tools->addAction(QString(), this, &CameraCalibrator::askForCameraFile);
+    m_save = m_tools->addAction(QString(), this, [this] { askToSave(); });
     m_save->setShortcut(QKeySequence::Save);
     m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
     m_probeWith = m_tools->addAction(QString(), this, &CameraCalibrator::askForCamera);
