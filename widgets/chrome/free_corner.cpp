@@ -46,8 +46,7 @@ FreeCorner freeCorner(const QWidget& view, const QRect& seen, QSize size, const 
         }
     };
     for (const QWidget* each : view.findChildren<QWidget*>()) {
-        if (!each->isVisibleTo(&view) || !each->isEnabled() || each->isWindow() || each == &ignored ||
-            ignored.isAncestorOf(each))
+        if (!each->isVisibleTo(&view) || each->isWindow() || each == &ignored || ignored.isAncestorOf(each))
             continue;
         const QPoint at = each->mapTo(&view, QPoint());
         const auto* dock = qobject_cast<const QDockWidget*>(each);

@@ -196,9 +196,7 @@ void StudyPage::connectViews() {
     });
     connect(&m_noise, &NoisePlayer::failed, this, [this](const core::Error& error) {
         m_noiseProblem = QString::fromStdString(error.message);
-        m_messages->post({chrome::Message::Severity::warning, tr("The noise cannot be played."),
-                          tr("Play it from another device, and confirm its level."),
-                          QString::fromStdString(core::describe(error))});
+        tellThatNoiseFailed(error);
     });
     connect(m_session, &SessionPanel::participantWindowRequested, &m_placement, &ParticipantPlacement::show);
 

@@ -94,6 +94,7 @@ private:
     void analyse();
     void report(const QString& what, const core::Error& error);
     void tellWhatWasOpened();
+    void tellThatNoiseFailed(const core::Error& error);
 
     StudyController m_controller;
     NoisePlayer m_noise;

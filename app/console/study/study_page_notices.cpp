@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_page.h"
 #include "widgets/chrome/message_bar.h"
+#include "widgets/chrome/message_log.h"
 #include "widgets/study/session_panel.h"
 
 namespace teleta::console {
@@ -26,6 +27,18 @@ void StudyPage::tellWhatWasOpened() {
                           QString(),
                           {{tr("Show it"), show}}});
     }
+}
+
+void StudyPage::tellThatNoiseFailed(const core::Error& error) {
+    const chrome::Message failure{chrome::Message::Severity::warning, tr("The noise cannot be played."),
+                                  tr("Play it from another device, and confirm its level."),
+                                  QString::fromStdString(core::describe(error))};
+    // Before a session the line beside the button says it.
+    if (m_controller.runner().isActive())
+        m_messages->post(failure);
+    else
+        chrome::MessageLog::instance().append(failure);
+    refresh();
 }
 
 } // namespace teleta::console

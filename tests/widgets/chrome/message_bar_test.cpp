@@ -187,6 +187,14 @@ private slots:
             QVERIFY(bar.isVisible());
             QVERIFY2(!bar.geometry().intersects(play.geometry()), qPrintable(QString::number(corner.x())));
         }
+        // One that cannot be used yet will be, under a notice that stays.
+        play.setEnabled(false);
+        for (const QRect& corner : corners) {
+            play.setGeometry(corner);
+            bar.clear();
+            bar.post(message("one"));
+            QVERIFY2(!bar.geometry().intersects(play.geometry()), qPrintable(QString::number(corner.x())));
+        }
     }
 
     void coversNoTitleOfADock() {
