@@ -218,11 +218,18 @@ void SessionPanel::showChecks() {
         auto* label = new QLabel(m_checks);
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
-        const QString sign = check.passed ? QStringLiteral("\u2713") : QStringLiteral("\u2717");
+        // Not necessary, but something is left to do.
+        const bool isAdvice = check.passed && !check.remedy.isEmpty();
+        const QString sign = isAdvice       ? QStringLiteral("!")
+                             : check.passed ? QStringLiteral("\u2713")
+                                            : QStringLiteral("\u2717");
         const QString line = QStringLiteral("%1  %2: %3").arg(sign, check.name, check.finding);
         label->setText(check.remedy.isEmpty() ? line
                                               : line + QStringLiteral("\n     \u2192 ") + check.remedy);
-        base::setTextColour(label, toneColour(check.passed ? Tone::good : Tone::alarm, palette()));
+        base::setTextColour(label, toneColour(isAdvice       ? Tone::attention
+                                              : check.passed ? Tone::good
+                                                             : Tone::alarm,
+                                              palette()));
         m_checkLines->addWidget(label);
     }
 }

@@ -29,7 +29,7 @@ struct CheckLine {
     QString name;
     bool passed = false;
     QString finding;
-    QString remedy; ///< empty when passed
+    QString remedy; ///< of a condition that has passed: advice
     friend bool operator==(const CheckLine&, const CheckLine&) = default;
 };
 

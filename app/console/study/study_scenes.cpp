@@ -108,6 +108,8 @@ study::PanelScene StudyScenes::study(const StudyController& controller) {
     scene.protocol = protocolText(overview.head);
     scene.chosen = controller.chosen();
     scene.locked = controller.isActive() || controller.isBusy() || controller.isRehearsing();
+    const study::Session* last = controller.runner().session();
+    const bool runs = controller.isActive() && (last == nullptr || last->stage() != Stage::aborted);
     for (const ParticipantOverview& person : overview.participants) {
         study::ParticipantLine line{text(person.participant.id), {}, {}};
         QStringList order;
@@ -123,8 +125,8 @@ study::PanelScene StudyScenes::study(const StudyController& controller) {
             one.interrupted = session.isInterrupted();
             const std::pair at(static_cast<int>(scene.participants.size()),
                                static_cast<int>(line.sessions.size()));
-            one.state = controller.isActive() && scene.chosen == at && !one.finished ? tr("running")
-                        : one.finished                                               ? tr("\u2713 finished")
+            one.state = runs && scene.chosen == at && !one.finished ? tr("running")
+                        : one.finished                              ? tr("\u2713 finished")
                         : one.interrupted ? tr("%1 of %2", "trials kept").arg(one.kept).arg(one.planned)
                                           : tr("to do");
             line.sessions.push_back(std::move(one));
@@ -391,11 +393,14 @@ void StudyScenes::describeRunning(const StudyController& controller, study::Sess
         scene.nextEnabled = scene.nextEnabled && obstacle.isEmpty();
         scene.state =
             stopped
-                ? tr("STOPPED. The bracelet is off. An interrupted trial will be shown again.")
+                ? controller.isStopped()
+                      ? tr("STOPPED. The bracelet is off. An interrupted trial will be shown again.")
+                      : tr("STOP is released. The session waits, and an interrupted trial will be shown "
+                           "again.")
                 : tr("The stimulus was interrupted: %1. The trial will be shown again.").arg(runner.reason());
         if (!obstacle.isEmpty())
             scene.state += QLatin1Char('\n') + obstacle;
-        scene.tone = Tone::alarm;
+        scene.tone = stopped && !controller.isStopped() && obstacle.isEmpty() ? Tone::attention : Tone::alarm;
         break;
     }
     case Hold::notKept:

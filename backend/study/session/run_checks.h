@@ -81,7 +81,7 @@ struct RunCheck {
     bool passed = false;
     std::string name;    ///< a word or two
     std::string finding; ///< a sentence without full stop
-    std::string remedy;  ///< what to do; empty when passed
+    std::string remedy;  ///< what to do; of a check that has passed: advice
 };
 
 /// Checks all conditions of a run, in the order in which they are best met; it may start when all pass. A
