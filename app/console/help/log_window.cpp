@@ -48,7 +48,6 @@ LogWindow::LogWindow(QWidget* parent)
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setColumnWidth(chrome::MessageLog::kTime, base::em(this, 8.0));
     m_table->setColumnWidth(chrome::MessageLog::kKind, base::em(this, 8.0));
-    m_table->scrollToBottom();
     QScrollBar& bar = *m_table->verticalScrollBar();
     connect(&log, &QAbstractItemModel::rowsInserted, m_table, [this, &bar] {
         if (bar.value() >= bar.maximum() - 1)
@@ -70,6 +69,11 @@ LogWindow::LogWindow(QWidget* parent)
     layout->addLayout(buttons);
     resize(base::em(this, 70.0), base::em(this, 30.0));
     base::keepTranslated(this, &LogWindow::retranslate);
+}
+
+void LogWindow::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_table->scrollToBottom(); // only now it has its size
 }
 
 void LogWindow::save() {

@@ -12,13 +12,16 @@ namespace teleta::console {
 /// then on Qt messages are logged too. Call it once, when there is an application. Thread: GUI.
 void beginLog();
 
-/// The messages since the program started (chrome::MessageLog), to read, copy and save as text. Follows new
-/// messages unless scrolled up. Thread: GUI.
+/// The messages since the program started (chrome::MessageLog), to read, copy and save as text. Opens at the
+/// newest and follows new ones unless scrolled up. Thread: GUI.
 class LogWindow : public QWidget {
     Q_OBJECT
 
 public:
     explicit LogWindow(QWidget* parent);
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     void save();

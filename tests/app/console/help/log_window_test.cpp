@@ -69,6 +69,26 @@ private slots:
         QCOMPARE(table->model()->index(2, MessageLog::kKind).data().toString(), QStringLiteral("Error"));
     }
 
+    void opensAtTheNewestLine() {
+        for (int i = 0; i < 100; ++i)
+            MessageLog::instance().append(Message::Severity::information, QString::number(i));
+        QWidget window;
+        auto* log = new console::LogWindow(&window);
+        const auto* table = log->findChild<QTableView*>();
+        const auto isLastSeen = [&] {
+            const QModelIndex last = table->model()->index(table->model()->rowCount() - 1, 0);
+            return table->viewport()->rect().contains(table->visualRect(last).center());
+        };
+        for (int times = 0; times < 2; ++times) {
+            log->show();
+            QVERIFY(QTest::qWaitForWindowExposed(log));
+            QTRY_VERIFY(isLastSeen());
+            log->hide();
+            for (int i = 0; i < 100; ++i)
+                MessageLog::instance().append(Message::Severity::information, QString::number(i));
+        }
+    }
+
     void staysAtItsEndUnlessOneHasScrolledUp() {
         QWidget window;
         auto* log = new console::LogWindow(&window);
