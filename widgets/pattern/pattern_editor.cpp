@@ -82,6 +82,9 @@ PatternEditor::PatternEditor(QWidget* parent)
         m_stroke->setStart(time_s);
         emit playheadMoved(time_s);
     });
+    connect(m_stroke, &StrokePad::drawn, m_timeline, [this](double begin_s, double end_s) {
+        m_timeline->reveal({begin_s, end_s});
+    });
     connect(m_timeline, &TimelineView::playToggled, this, &PatternEditor::togglePlay);
     connect(m_timeline, &TimelineView::objectActivated, this, [this](std::size_t object) {
         m_document->select({{}, object});

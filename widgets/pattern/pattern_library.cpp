@@ -129,6 +129,8 @@ QString PatternLibrary::currentKey() const {
 void PatternLibrary::setCurrent(const QString& idOrPath) {
     if (idOrPath == m_current)
         return;
+    // One that is not in the list leaves no other highlighted.
+    m_tree->setCurrentItem(nullptr);
     m_current = m_wanted = idOrPath;
     fill();
 }
@@ -147,24 +149,25 @@ bool PatternLibrary::fitPictures() {
             return QFontMetrics(isBold ? base::bold(m_tree->font()) : m_tree->font())
                 .horizontalAdvance((*at)->text(column));
         };
-        longest = std::max(longest, widthOf(0));
+        longest = std::max(longest, std::min(widthOf(0), base::em(this, kMostOwn_em)));
         lengths = std::max(lengths, widthOf(1));
     }
     lengths += base::em(this, kAroundText_em);
     // The longest name beside the small picture is always whole.
-    m_tree->setMinimumWidth(std::min(longest, base::em(this, kMostOwn_em)) +
-                            base::em(this, kSmallPicture_em.width() + 2.0 * kSmallIndent_em) +
+    m_tree->setMinimumWidth(longest + base::em(this, kSmallPicture_em.width() + 2.0 * kSmallIndent_em) +
                             2 * base::em(this, kAroundText_em) +
                             m_tree->verticalScrollBar()->sizeHint().width() + 2 * m_tree->frameWidth());
     // The viewport has its size only once it is shown.
     const int room = m_tree->contentsRect().width() - m_tree->verticalScrollBar()->sizeHint().width() -
                      longest - base::em(this, kAroundText_em);
-    const auto isRoomFor = [&](const QSizeF& picture_em, double indent_em) {
-        // Patterns are a level below their groups.
-        return base::em(this, picture_em.width() + 2.0 * indent_em) + lengths <= room;
+    // Patterns are a level below their groups.
+    const auto left = [&](const QSizeF& picture_em, double indent_em) {
+        return room - base::em(this, picture_em.width() + 2.0 * indent_em);
     };
-    const bool isLarge = isRoomFor(kPicture_em, kIndent_em);
-    m_tree->setColumnHidden(1, !isLarge && !isRoomFor(kSmallPicture_em, kSmallIndent_em));
+    // Lengths give way first, so that a longer word of another language does not shrink all pictures.
+    const bool isLarge = left(kPicture_em, kIndent_em) >= 0;
+    m_tree->setColumnHidden(
+        1, (isLarge ? left(kPicture_em, kIndent_em) : left(kSmallPicture_em, kSmallIndent_em)) < lengths);
     const QSize size = inPixels(isLarge ? kPicture_em : kSmallPicture_em);
     if (size == m_tree->iconSize())
         return false;

@@ -44,8 +44,8 @@ public:
     explicit PatternLibrary(QWidget* parent = nullptr);
 
     void setOwn(std::vector<OwnPattern> own);
-    /// Marks the open pattern by a bar and bold letters, and selects it as soon as it is in the list.
-    /// idOrPath: id of a built-in pattern, or a path.
+    /// Marks the open pattern by a bar and bold letters, and selects it as soon as it is in the list; until
+    /// then nothing is selected. idOrPath: id of a built-in pattern, or a path.
     void setCurrent(const QString& idOrPath);
     /// Shows a line below the list about the last change, with a button that undoes it.
     void setNotice(const QString& text, bool undoable);
@@ -77,8 +77,8 @@ private:
     /// A small picture of a pattern, drawn once; the open one has a bar in front.
     [[nodiscard]] QIcon pictureOf(const QString& key, const Pattern& pattern);
     void refill();
-    /// Makes pictures smaller where names would be cut otherwise, and then hides the lengths, which the
-    /// editor shows too. Returns whether the pictures' size changed.
+    /// Where names would be cut otherwise it hides the lengths, which the editor shows too, and then makes
+    /// the pictures smaller. Returns whether the pictures' size changed.
     bool fitPictures();
     void applyFilter();
     void showMenu(const QPoint& at);

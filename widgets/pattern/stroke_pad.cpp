@@ -102,8 +102,11 @@ void StrokePad::finish() {
     stroke.start_s = m_start_s;
     stroke.points = std::move(m_drawn);
     m_drawn.clear();
-    if (!stroke.points.empty() && stroke.points.back().time_s >= kShortestStroke_s)
+    if (!stroke.points.empty() && stroke.points.back().time_s >= kShortestStroke_s) {
+        const double end_s = stroke.start_s + stroke.points.back().time_s;
         m_document->addObject({{}, std::move(stroke), {}});
+        emit drawn(m_start_s, end_s);
+    }
     update();
 }
 

@@ -25,6 +25,10 @@ public:
     [[nodiscard]] QPointF placeOf(double angle_rad, double along) const;
     [[nodiscard]] StrokePoint pointAt(const QPointF& at) const;
 
+signals:
+    /// A stroke was added to the pattern.
+    void drawn(double begin_s, double end_s);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
