@@ -304,12 +304,12 @@ void MotorsView::takeFit(std::size_t motor, const motors::MotorRecording& record
 }
 
 QString MotorsView::calibratedText() const {
-    const auto measured = std::ranges::count_if(m_calibration.motors, &motors::CalibratedMotor::measured);
-    const auto all = static_cast<std::ptrdiff_t>(m_calibration.motors.size());
+    const auto measured =
+        static_cast<int>(std::ranges::count_if(m_calibration.motors, &motors::CalibratedMotor::measured));
+    const auto all = static_cast<int>(m_calibration.motors.size());
     if (measured < all)
-        return (isSaved() ? tr("%1 of %2 motors calibrated, saved")
-                          : tr("%1 of %2 motors calibrated, not saved"))
-            .arg(measured)
+        return (isSaved() ? tr("%n of %1 motors calibrated, saved", nullptr, measured)
+                          : tr("%n of %1 motors calibrated, not saved", nullptr, measured))
             .arg(all);
     return isSaved() ? tr("calibrated, saved") : tr("calibrated, not saved");
 }
