@@ -530,6 +530,9 @@ void StudyPage::analyse() {
         for (const std::string& condition : task.conditions)
             scene.conditionNames[id].insert(QString::fromStdString(condition),
                                             study::displayCondition(task, condition));
+        for (const study::StudyPattern& pattern : task.patterns)
+            scene.patternNames[id].insert(QString::fromStdString(pattern.letter),
+                                          study::displayName(task, pattern));
     }
     base::runInBackground(
         this, [location = overview.location] { return resultsOf(location); },

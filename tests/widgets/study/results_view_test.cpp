@@ -176,6 +176,37 @@ private slots:
             QVERIFY(matrix->content().percent);
     }
 
+    void theLettersOfTheMatricesAreExplained() {
+        ResultsView view;
+        study::ResultsScene scene;
+        scene.tasks = {results()};
+        view.setScene(scene);
+        const auto* letters = view.findChild<QLabel*>("letters");
+        QVERIFY(letters->isHidden());
+        scene.patternNames[QString::fromStdString(results().task)] = {{"P1", "circle"}, {"P3", "triangle"}};
+        view.setScene(scene);
+        QVERIFY(!letters->isHidden());
+        QCOMPARE(letters->text(), QString("P1: circle   P3: triangle"));
+    }
+
+    void aLongRemarkIsWrappedWhereTheTableHasNoRoom() {
+        study::ResultTable table(QStringLiteral("group"));
+        QString remark = QStringLiteral("remark");
+        for (int i = 0; i < 30; ++i)
+            remark += QStringLiteral(" and more");
+        table.setRows({"Condition", "Remark"}, {}, {{{"static"}, {remark}}, {{"dynamic"}, {"none"}}});
+        table.resize(800, 400);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        const int line = table.rowHeight(1);
+        QTRY_VERIFY(table.rowHeight(0) > line);
+        QVERIFY(table.columnViewportPosition(1) + table.columnWidth(1) <= table.viewport()->width());
+        const int columnWidth = table.columnWidth(0);
+        table.resize(4000, 400);
+        QTRY_COMPARE(table.rowHeight(0), line);
+        QCOMPARE(table.columnWidth(0), columnWidth);
+    }
+
     void matricesGrowWithThePage() {
         ResultsView view;
         study::ResultsScene scene;

@@ -7,12 +7,20 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <utility>
 
 namespace teleta::study {
+
+namespace {
+
+constexpr double kWrapped_em = 16.0; ///< least width of a text that is wrapped
+
+} // namespace
 
 ResultTable::ResultTable(QString name, QWidget* parent)
     : QTableWidget(parent)
@@ -51,9 +59,18 @@ void ResultTable::setRows(const QStringList& header, const QStringList& tips,
             setItem(row, column, item);
         }
     }
+    fitColumns();
+}
+
+void ResultTable::fitColumns() {
     resizeColumnsToContents();
     for (int column = 0; column < columnCount(); ++column)
         setColumnWidth(column, columnWidth(column) + base::em(this, 0.8));
+    const int last = columnCount() - 1;
+    const int excess = horizontalHeader()->length() - viewport()->width();
+    const int least = base::em(this, kWrapped_em);
+    if (last >= 0 && excess > 0 && columnWidth(last) > least)
+        setColumnWidth(last, std::max(least, columnWidth(last) - excess));
     resizeRowsToContents();
     const int bar = horizontalScrollBar()->sizeHint().height();
     setFixedHeight(horizontalHeader()->sizeHint().height() + verticalHeader()->length() + bar +
@@ -94,6 +111,12 @@ void ResultTable::keyPressEvent(QKeyEvent* event) {
     base::Figure figure;
     figure.csv = [text = csv()] { return text; };
     base::copyData(figure);
+}
+
+void ResultTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        fitColumns();
 }
 
 /// All rows are visible: the wheel scrolls the page.

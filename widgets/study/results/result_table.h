@@ -16,7 +16,8 @@ struct ResultCell {
     QString data = {};
 };
 
-/// A table of results, as high as its rows, that can be copied and saved. Thread: GUI.
+/// A table of results, as high as its rows, that can be copied and saved. A long text in the last column
+/// is wrapped where the table would be wider than its room. Thread: GUI.
 class ResultTable : public QTableWidget {
     Q_OBJECT
 
@@ -34,8 +35,11 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void fitColumns();
+
     QString m_name;
     base::FigureExport* m_export;
 };

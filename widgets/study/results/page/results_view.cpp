@@ -54,6 +54,7 @@ QLabel* heading(QWidget* parent) {
 ResultsView::ResultsView(QWidget* parent)
     : QWidget(parent)
     , m_comparisons(new ComparisonsView(this))
+    , m_letters(note(m_content))
     , m_groupsTitle(heading(m_content))
     , m_groups(new ResultTable(QStringLiteral("group"), m_content))
     , m_groupsNote(note(m_content))
@@ -62,6 +63,7 @@ ResultsView::ResultsView(QWidget* parent)
     , m_anovaNote(note(m_content))
     , m_peopleTitle(heading(m_content))
     , m_people(new ResultTable(QStringLiteral("summary"), m_content)) {
+    m_letters->setObjectName(QStringLiteral("letters"));
     m_groups->setObjectName(QStringLiteral("groupTable"));
     m_anova->setObjectName(QStringLiteral("anovaTable"));
     m_people->setObjectName(QStringLiteral("peopleTable"));
@@ -85,6 +87,7 @@ ResultsView::ResultsView(QWidget* parent)
     column->setContentsMargins(margin, margin, margin, margin);
     column->setSpacing(base::grid(this, 1.5));
     column->addLayout(m_matrixGrid);
+    column->addWidget(m_letters);
     column->addLayout(charts);
     base::addWidgets(column, {m_groupsTitle, m_groups, m_groupsNote, m_anovaTitle, m_anova, m_anovaNote,
                               m_peopleTitle, m_people});
@@ -273,6 +276,15 @@ void ResultsView::showMatrices(const TaskResults& results) {
         m_matrices[i]->setContent(std::move(content));
         m_matrixGrid->addWidget(m_matrices[i], static_cast<int>(i / columns), static_cast<int>(i % columns));
     }
+    const QMap<QString, QString> patterns = m_scene.patternNames.value(task());
+    QStringList legend;
+    for (const std::string& pattern : results.patterns) {
+        const QString letter = QString::fromStdString(pattern);
+        if (const QString name = patterns.value(letter); !name.isEmpty() && name != letter)
+            legend << tr("%1: %2", "letter of a pattern, its name").arg(letter, name);
+    }
+    m_letters->setText(legend.join(QStringLiteral("   ")));
+    m_letters->setVisible(!legend.isEmpty());
     giveMatricesRoom();
 }
 

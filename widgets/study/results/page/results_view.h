@@ -39,6 +39,8 @@ struct ResultsScene {
     ExclusionReport exclusions = {};
     QMap<QString, QString> taskNames;             ///< by id
     QMap<QString, ConditionNames> conditionNames; ///< by id of the task
+    /// Names of the patterns by letter, by id of the task.
+    QMap<QString, QMap<QString, QString>> patternNames = {};
     Mode mode = Mode::run;
     std::shared_ptr<const LevelResults> levels = {}; ///< of tasks with levels; null: none
 };
@@ -109,6 +111,7 @@ private:
     IntervalChart* m_accuracy = base::named<IntervalChart>("accuracyChart", m_content);
     IntervalChart* m_patterns = base::named<IntervalChart>("patternChart", m_content);
     IntervalChart* m_times = base::named<IntervalChart>("timeChart", m_content);
+    QLabel* m_letters; ///< what the letters of the matrices stand for
     QLabel* m_groupsTitle;
     ResultTable* m_groups;
     QLabel* m_groupsNote;
