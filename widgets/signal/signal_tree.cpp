@@ -64,7 +64,7 @@ bool sameColumns(const std::vector<recording::Column>& a, const std::vector<reco
 } // namespace
 
 bool SourceEntry::Stream::operator==(const Stream& other) const {
-    return name == other.name && sameColumns(columns, other.columns);
+    return name == other.name && sameColumns(columns, other.columns) && meanings == other.meanings;
 }
 
 bool SourceEntry::operator==(const SourceEntry& other) const {
@@ -166,9 +166,12 @@ void SignalTree::setSources(const std::vector<SourceEntry>& sources) {
             row(source.note.isEmpty() ? name : name + QStringLiteral(" \u2013 ") + source.note, source.name);
         for (const SourceEntry::Stream& stream : source.streams) {
             auto* branch = row(QString::fromStdString(stream.name), stream.name);
-            for (const recording::Column& column : stream.columns) {
+            for (std::size_t i = 0; i < stream.columns.size(); ++i) {
+                const recording::Column& column = stream.columns[i];
                 const QString unit = unitText(QString::fromStdString(column.unit));
-                const QString text = QString::fromStdString(column.name);
+                QString text = QString::fromStdString(column.name);
+                if (i < stream.meanings.size() && !stream.meanings[i].isEmpty())
+                    text += QStringLiteral(", ") + stream.meanings[i];
                 auto* leaf =
                     row(unit.isEmpty() ? text : tr("%1 (%2)", "signal, unit").arg(text, unit), column.name);
                 leaf->setData(QString::fromStdString(stream.name), kStreamRole);

@@ -23,6 +23,7 @@ struct SourceEntry {
     struct Stream {
         std::string name;
         std::vector<recording::Column> columns;
+        std::vector<QString> meanings = {}; ///< of the columns, in words; may be fewer, or empty
         bool operator==(const Stream& other) const;
     };
     std::string name;

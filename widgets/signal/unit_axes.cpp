@@ -20,7 +20,9 @@ struct UnitAxesText {
 
 /// Of an axis whose values are all alike, around them.
 double leastSpan(const ValueRange& values) {
-    return std::max(1e-9, 1e-3 * std::max(std::abs(values.low), std::abs(values.high)));
+    const double largest = std::max(std::abs(values.low), std::abs(values.high));
+    // Nothing but zeros has no scale of its own.
+    return largest > 0.0 ? std::max(1e-9, 1e-3 * largest) : 1.0;
 }
 
 } // namespace

@@ -240,6 +240,7 @@ void PlotPage::retranslate() {
     m_empty->setAction("plotDemo", tr("Open a demo"), tr("A simulated arm that touches things"));
     m_empty->setAction("plotRecording", tr("Add a recording\u2026"),
                        tr("Plot a recording as a whole, without playing it"));
+    showSources();
     showSignals();
 }
 

@@ -2,8 +2,11 @@
 #include "app/console/plot/signal_sources.h"
 
 #include "app/console/sources/source_provenance.h"
+#include "backend/arm_model/serial_chain.h"
 #include "backend/core/steady_time.h"
+#include "backend/recording/stream_columns.h"
 #include "widgets/base/background.h"
+#include "widgets/touch/touch_texts.h"
 
 #include <QFileInfo>
 
@@ -22,6 +25,21 @@ std::string freeName(const std::string& wanted, const std::vector<Named>& there,
     for (int number = 2; std::ranges::find(there, name, nameOf) != there.end(); ++number)
         name = wanted + " " + std::to_string(number);
     return name;
+}
+
+/// Names of the joints, for each column of a stream of joints; empty: they are not known, or it is another
+/// stream. chain: of the arm; null: none.
+std::vector<QString> jointsOf(const recording::StreamInfo& stream, const arm_model::SerialChain* chain) {
+    constexpr std::size_t kOwnJoints = 4; // joints of an arm that needs no description
+    const auto joints = recording::jointsOf(stream);
+    const bool isOwn = joints == kOwnJoints && stream.details.find("\"urdf\"") == std::string::npos;
+    if (!joints || (chain == nullptr ? !isOwn : chain->joints() != *joints))
+        return {};
+    std::vector<QString> names;
+    for (std::size_t i = 0; i < stream.channels(); ++i)
+        names.push_back(chain != nullptr ? QString::fromStdString(chain->joint(i % *joints).name)
+                                         : touch::TouchTexts::joint(i % *joints, *joints));
+    return names;
 }
 
 } // namespace
@@ -108,14 +126,18 @@ std::vector<signal::SourceEntry> SignalSources::entries() const {
     std::vector<signal::SourceEntry> entries;
     for (const Live& live : m_live) {
         signal::SourceEntry entry{live.source->name(), {}, {}};
+        const SourceManager::Item* item = m_sources.find(live.key);
+        const auto arm = item != nullptr ? item->arm() : nullptr;
+        const auto chain = arm != nullptr ? arm->chain() : nullptr;
         for (const signal::LiveSource::Stream& stream : live.source->streams())
-            entry.streams.push_back({stream.name, signal::columnsOf(stream.info)});
+            entry.streams.push_back(
+                {stream.name, signal::columnsOf(stream.info), jointsOf(stream.info, chain.get())});
         entries.push_back(std::move(entry));
     }
     for (const Recorded& recorded : m_recordings) {
         signal::SourceEntry entry{recorded.name, tr("whole recording"), {}};
         for (const recording::StreamInfo& stream : recorded.streams)
-            entry.streams.push_back({stream.name, signal::columnsOf(stream)});
+            entry.streams.push_back({stream.name, signal::columnsOf(stream), jointsOf(stream, nullptr)});
         entries.push_back(std::move(entry));
     }
     return entries;

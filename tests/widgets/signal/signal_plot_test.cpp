@@ -123,6 +123,22 @@ private slots:
         QCOMPARE(m_view->axes().axisOf("degC")->label(), QStringLiteral("\u00b0C"));
     }
 
+    void zerosHaveAnAxisToOne() {
+        auto zeros = std::make_shared<Series>();
+        for (int i = 0; i <= 100; ++i)
+            zeros->append(0.2 * i, 0.0);
+        m_view->setCurves({{"contact_type", "", 1, zeros, nullptr, false}});
+        draw();
+        const QCPRange range = m_view->axes().axisOf("")->range();
+        QCOMPARE(range.lower, 0.0);
+        QCOMPARE(range.upper, 1.0);
+        zeros->append(20.2, 0.004); // values of their own are seen as large as before
+        draw();
+        m_view->showEverything();
+        draw();
+        QVERIFY(m_view->axes().axisOf("")->range().upper < 0.01);
+    }
+
     void drawsFewPointsOfManySamples() {
         m_view->setRange(0.0, 20.0);
         draw();

@@ -52,6 +52,17 @@ private slots:
         QCOMPARE(child(features, 0).data().toString(), QString("force_n (N)"));
     }
 
+    void saysWhatAColumnMeansAndChoosesItByItsName() {
+        m_tree->setSources({{"arm", {}, {{"joints", {{"q1", "rad"}, {"q2", "rad"}}, {"shoulder roll"}}}}});
+        m_tree->view().expandAll();
+        const QModelIndex joints = child(child({}, 0), 0);
+        QCOMPARE(child(joints, 0).data().toString(), QString("q1, shoulder roll (rad)"));
+        QCOMPARE(child(joints, 1).data().toString(), QString("q2 (rad)"));
+        QTest::keyClicks(&m_tree->search(), "shoulder");
+        m_tree->view().setCurrentIndex(child(child(child({}, 0), 0), 0));
+        QCOMPARE(m_tree->selected(), (std::vector<SignalId>{{"arm", "joints", "q1"}}));
+    }
+
     void enterAndDoubleClickChoose() {
         QTreeView& view = m_tree->view();
         view.expandAll();

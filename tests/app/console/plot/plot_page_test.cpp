@@ -136,6 +136,22 @@ private slots:
         QCOMPARE(m_page->tree().search().text(), QStringLiteral("q1"));
     }
 
+    void theJointsOfARunningArmHaveTheirNames() {
+        m_sources->open(app::SceneRequest{":/scenes/teleta-touch.toml", 1});
+        const auto joints = [this]() -> std::optional<signal::SourceEntry::Stream> {
+            for (const signal::SourceEntry& entry : m_page->plotSignals().sources().entries())
+                for (const auto& stream : entry.streams)
+                    if (!stream.columns.empty() && stream.columns.front().name == "q1")
+                        return stream;
+            return std::nullopt;
+        };
+        QVERIFY(ticks([&] { return joints().has_value(); }));
+        QCOMPARE(joints()->meanings.size(), std::size_t(12)); // angle, torque and reference of each
+        QCOMPARE(joints()->meanings[0], QStringLiteral("shoulder roll"));
+        QCOMPARE(joints()->columns[7].name, std::string("tau4"));
+        QCOMPARE(joints()->meanings[7], QStringLiteral("elbow pitch"));
+    }
+
     void aDroppedSignalOfARunningSceneIsDrawn() {
         m_sources->open(app::SceneRequest{":/scenes/tactile-indenter.toml", 1});
         QVERIFY(ticks([this] {
