@@ -12,11 +12,11 @@ double within(double value, double lowest, double highest, double otherwise) {
     return std::isfinite(value) ? std::clamp(value, lowest, highest) : otherwise;
 }
 
-bool turnsByMoment(const ServoTask& task) {
-    return task.kind == TaskKind::edgeControl || task.kind == TaskKind::explore;
-}
-
 } // namespace
+
+bool turnsByMoment(TaskKind kind) {
+    return kind == TaskKind::edgeControl || kind == TaskKind::explore;
+}
 
 TuningBounds boundsOf(const ServoPlan& plan) {
     const ServoTuning own = tuningOf(plan);
@@ -67,7 +67,7 @@ ServoPlan tuned(const ServoPlan& plan, const ServoTuning& tuning) {
             task.gains.proportional[kX] =
                 task.desired.copX_m != 0.0 ? wanted.slide_mPerS / task.desired.copX_m : slide;
         // A plan that never slides has no baseline to compare with.
-        if (explores && turnsByMoment(task))
+        if (explores && turnsByMoment(task.kind))
             task.projection.wy = wanted.moment;
     }
     return result;

@@ -34,6 +34,9 @@ struct TuningBounds {
 /// Clamps a tuning to the bounds; non-finite values become the default.
 [[nodiscard]] ServoTuning clamped(const ServoTuning& tuning, const TuningBounds& bounds = {});
 
+/// Whether ServoTuning::moment acts in a task of this kind.
+[[nodiscard]] bool turnsByMoment(TaskKind kind);
+
 /// The tuning that leaves a plan as it is.
 [[nodiscard]] ServoTuning tuningOf(const ServoPlan& plan);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/servo/servo_runs.h"
 
+#include "backend/servo/servo_tuning.h"
 #include "widgets/servo/servo_texts.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ void ServoRuns::add(const ServoStep& step) {
         curves.note(step);
         return;
     }
-    if (step.task == TaskKind::explore)
+    if (turnsByMoment(step.task))
         (step.moment ? origin.balanced : origin.unbalanced) = true;
     curves.name = ServoTexts::run(QString::fromStdString(origin.name), origin.number, origin.unbalanced,
                                   origin.balanced)

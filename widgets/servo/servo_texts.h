@@ -24,8 +24,8 @@ public:
     [[nodiscard]] static QString verdict(const TaskVerdict& verdict);
     /// Computing time of a simulated cycle and of its parts; empty when no cycle was timed.
     [[nodiscard]] static QString cost(const CycleTimes& times, double rate_Hz);
-    /// Name of a run in a chart. number: among the runs of the same source. unbalanced, balanced: whether an
-    /// edge was explored without and with the moment.
+    /// Name of a run in a chart. number: among the runs of the same source. unbalanced, balanced: whether
+    /// tasks that the moment can turn were done without and with it.
     [[nodiscard]] static QString run(const QString& source, int number, bool unbalanced, bool balanced);
     /// Name of row 0..5 of the features, for an edge or a point.
     [[nodiscard]] static QString feature(int row, bool edge);

@@ -151,6 +151,20 @@ private slots:
         QCOMPARE(runs.runs()[0].time_s.size(), std::size_t{2});
     }
 
+    void aRunThatDoesNotComeToExploringSaysThatItHasNoMoment() {
+        const int source = 0;
+        ServoRuns runs;
+        runs.setSource("bar", &source);
+        for (const TaskKind task : {TaskKind::freeMotion, TaskKind::align, TaskKind::edgeControl}) {
+            ServoStep step = stepAt(0.1 * static_cast<double>(task), 0, false);
+            step.task = task;
+            runs.add(step);
+            // The first two never turn by the moment.
+            QCOMPARE(nameOf(runs, 0), task == TaskKind::edgeControl ? QStringLiteral("bar, without DZMP")
+                                                                    : QStringLiteral("bar"));
+        }
+    }
+
     void aRunOfHoursKeepsItsWholeTimeInBoundedMemory() {
         const int source = 0;
         ServoRuns runs;
