@@ -328,8 +328,9 @@ std::shared_ptr<pipeline::TouchChannel> OperatePage::shownArray() const {
 void OperatePage::onActiveChanged() {
     m_latency_s.reset();
     SourceManager::Item* item = m_sources.active();
-    changeCharts(item != nullptr ? item->key : 0);
-    m_marks->setSource(playback());
+    const pipeline::ChannelKey key = item != nullptr ? item->key : 0;
+    changeCharts(key);
+    m_marks->setSource(key, playback());
     const base::Provenance provenance = item != nullptr ? provenanceOf(*item) : base::Provenance::live;
     const auto array = shownArray();
     showArray(array.get(), provenance);

@@ -35,7 +35,8 @@ QString clock(double time_s) {
 MarkList::MarkList(QWidget* parent)
     : QWidget(parent)
     , m_table(new QTableWidget(0, columns, this))
-    , m_hint(new QLabel(this)) {
+    , m_hint(new QLabel(this))
+    , m_fixed(new QLabel(this)) {
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setAlternatingRowColors(true);
@@ -48,10 +49,14 @@ MarkList::MarkList(QWidget* parent)
     m_table->installEventFilter(this);
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setWordWrap(true);
+    m_fixed->setObjectName(QStringLiteral("marksAreFixed"));
+    m_fixed->setWordWrap(true);
+    m_fixed->setContentsMargins(base::grid(this), 0, base::grid(this), base::grid(this, 0.5));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_hint, 1);
     layout->addWidget(m_table, 1);
+    layout->addWidget(m_fixed);
     connect(m_table, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         const auto row = static_cast<std::size_t>(item->row());
         if (!m_building && item->column() == textColumn && row < m_rows.size())
@@ -121,6 +126,7 @@ void MarkList::rebuild() {
     if (!m_rows.empty())
         setFocusProxy(m_table);
     m_hint->setVisible(m_rows.empty());
+    m_fixed->setVisible(!m_rows.empty() && !m_editable);
 }
 
 QTableWidgetItem* MarkList::itemAt(int row, int column) {
@@ -158,6 +164,9 @@ void MarkList::retranslate() {
     m_table->horizontalHeaderItem(textColumn)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setAccessibleName(tr("Marks"));
     m_hint->setText(tr("No marks yet. While something is recorded, M sets one; then type what it was."));
+    m_fixed->setText(
+        tr("This recording is played: Enter goes to a mark. Marks are named while they are recorded, or "
+           "afterwards beside the source that was recorded."));
     setWhatsThis(tr("Moments that somebody marked in the recording. Double-click a text or press Enter to "
                     "type it, Delete takes a mark out, Ctrl+Z undoes. In a recording that is played, a "
                     "double click on a mark goes there."));

@@ -53,6 +53,7 @@ private:
 
     QTableWidget* m_table;
     QLabel* m_hint;
+    QLabel* m_fixed; ///< why marks cannot be changed
     std::vector<Row> m_rows;
     bool m_editable = false;
     bool m_building = false;

@@ -20,7 +20,10 @@ MarkViews::MarkViews(charts::StripChartView& charts, QWidget* parent)
     });
 }
 
-void MarkViews::setSource(const core::PlaybackControl* playback) {
+void MarkViews::setSource(pipeline::ChannelKey key, const core::PlaybackControl* playback) {
+    m_source = key;
+    if (m_live)
+        m_recordedSources.insert(key);
     m_played = playback != nullptr ? playback->marks() : std::vector<core::PlaybackMark>();
     // Those that the charts came by before the source was left are there again.
     m_charts.clearMarks();
@@ -34,6 +37,8 @@ void MarkViews::setSource(const core::PlaybackControl* playback) {
 
 void MarkViews::setRecorded(std::vector<RecordingMark> marks, bool live) {
     m_recorded = std::move(marks);
+    if (live && !m_live)
+        m_recordedSources = {m_source};
     m_live = live;
     m_stale = true;
     showList();
@@ -78,7 +83,7 @@ void MarkViews::showList() {
         for (const core::PlaybackMark& mark : m_played)
             // From the recording's start, as while it was recorded.
             rows.push_back({0, mark.sourceTime_s, QString::fromStdString(mark.text)});
-    } else {
+    } else if (m_live || m_recordedSources.contains(m_source)) {
         for (const RecordingMark& mark : m_recorded)
             rows.push_back({mark.number, mark.time_s, mark.text});
     }

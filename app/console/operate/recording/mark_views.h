@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace teleta::charts {
@@ -28,9 +29,11 @@ public:
 
     [[nodiscard]] MarkList& list() { return *m_list; }
 
-    /// Another source is shown and its charts start empty. playback: null unless it is a playback.
-    void setSource(const core::PlaybackControl* playback);
-    /// The marks of the recording that runs, or of the last one. live: it runs.
+    /// Another source is shown and its charts start empty. key: 0 without one. playback: null unless it is a
+    /// playback.
+    void setSource(pipeline::ChannelKey key, const core::PlaybackControl* playback);
+    /// The marks of the recording that runs, or of the last one, which are listed beside the sources that
+    /// were shown while it ran. live: it runs.
     void setRecorded(std::vector<RecordingMark> marks, bool live);
     /// Call for each sample that the charts get.
     void take(const pipeline::FeatureSample& sample);
@@ -53,6 +56,8 @@ private:
     std::vector<core::PlaybackMark> m_played;
     std::vector<bool> m_passed; ///< of these, those that the charts have come to
     std::vector<RecordingMark> m_recorded;
+    pipeline::ChannelKey m_source = 0;
+    std::set<pipeline::ChannelKey> m_recordedSources; ///< that were shown while m_recorded were set
     bool m_live = false;
     bool m_stale = false; ///< the charts show other marks
     struct Moment {

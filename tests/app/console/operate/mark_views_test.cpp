@@ -2,6 +2,7 @@
 #include "app/console/operate/recording/mark_views.h"
 #include "widgets/charts/strip_chart_view.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -76,7 +77,7 @@ private slots:
 
     void aMarkOfALoopIsOneMarkHoweverOftenItIsPassed() {
         const MarkedPlayback playback;
-        m_marks->setSource(&playback);
+        m_marks->setSource(1, &playback);
         for (int pass = 0; pass < 5; ++pass)
             feed(0.0, 2.0, kBegin_ns + pass * 2'000'000'000LL, 10'000'000);
         QCOMPARE(m_charts->marks(), std::size_t(1));
@@ -88,7 +89,7 @@ private slots:
         m_marks->setRecorded({{1, kBegin_ns, 1.0, "slip"}}, true);
         const double live_s = m_marks->list().marks().at(0).time_s;
         m_marks->setRecorded({}, false);
-        m_marks->setSource(&playback);
+        m_marks->setSource(1, &playback);
         QCOMPARE(m_marks->list().marks().size(), std::size_t(1));
         QCOMPARE(m_marks->list().marks()[0].time_s, live_s);
         // The playback's own times are from its first frame.
@@ -101,6 +102,43 @@ private slots:
         QCOMPARE(sought[0][0].toDouble(), 1.0 - kFirstFrame_s);
     }
 
+    void marksOfTheLastRecordingAreListedBesideItsSourcesOnly() {
+        m_marks->setSource(1, nullptr);
+        m_marks->setRecorded({}, true);
+        m_marks->setRecorded({{1, kBegin_ns, 1.0, "slip"}}, true);
+        m_marks->setSource(2, nullptr);
+        m_marks->setRecorded({{1, kBegin_ns, 1.0, "slip"}}, false);
+        const auto count = [this] { return m_marks->list().marks().size(); };
+        QCOMPARE(count(), std::size_t(1));
+        m_marks->setSource(3, nullptr); // opened afterwards
+        QCOMPARE(count(), std::size_t(0));
+        m_marks->setSource(1, nullptr);
+        QCOMPARE(count(), std::size_t(1));
+        m_marks->setRecorded({}, true); // the next recording, of this source only
+        m_marks->setRecorded({{1, kBegin_ns, 2.0, "press"}}, false);
+        QCOMPARE(count(), std::size_t(1));
+        m_marks->setSource(2, nullptr);
+        QCOMPARE(count(), std::size_t(0));
+    }
+
+    void theListOfAPlaybackSaysWhyNothingCanBeTyped() {
+        const MarkedPlayback playback;
+        MarkList& list = m_marks->list();
+        list.resize(400, 200);
+        list.show();
+        auto* why = list.findChild<QLabel*>("marksAreFixed");
+        m_marks->setSource(1, nullptr);
+        m_marks->setRecorded({{1, kBegin_ns, 1.0, "slip"}}, true);
+        QVERIFY(!why->isVisible());
+        m_marks->setRecorded({}, false);
+        m_marks->setSource(2, &playback);
+        QVERIFY(why->isVisible());
+        auto* table = list.findChild<QTableWidget*>();
+        table->setCurrentCell(0, 1);
+        QTest::keyClick(table, Qt::Key_F2);
+        QVERIFY(table->findChild<QLineEdit*>() == nullptr);
+    }
+
     void aDoubleClickAnywhereOnAPlayedMarkGoesThere_data() {
         QTest::addColumn<int>("column");
         QTest::newRow("time") << 0;
@@ -110,7 +148,7 @@ private slots:
         QFETCH(int, column);
         const MarkedPlayback playback;
         QSignalSpy sought(m_marks.get(), &MarkViews::seekRequested);
-        m_marks->setSource(&playback);
+        m_marks->setSource(1, &playback);
         m_marks->list().resize(400, 200);
         m_marks->list().show();
         auto* table = m_marks->list().findChild<QTableWidget*>();
