@@ -173,8 +173,7 @@ Scene3dView::Scene3dView(QWidget* parent)
     base::onChange(this, &Scene3dView::applyPalette, {QEvent::PaletteChange});
     base::onChange(this,
                    [this] {
-                       const int side = base::em(this, kTool_em);
-                       m_parts->toolBar->setIconSize(QSize(side, side));
+                       m_parts->toolBar->setIconSize(QSize(1, 1) * base::em(this, kTool_em));
                        m_parts->vtk->requestRender();
                    },
                    {QEvent::FontChange});
@@ -240,8 +239,7 @@ void Scene3dView::makeActions() {
 void Scene3dView::makeToolBar() {
     Parts& parts = *m_parts;
     parts.toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    const int side = base::em(this, kTool_em);
-    parts.toolBar->setIconSize(QSize(side, side));
+    parts.toolBar->setIconSize(QSize(1, 1) * base::em(this, kTool_em));
     parts.toolBar->addActions({parts.plate, parts.cylinder});
     parts.toolBar->addSeparator();
     parts.toolBar->addActions(parts.presets);
@@ -307,16 +305,12 @@ void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
     Parts& parts = *m_parts;
     if (!parts.vtk->canRender())
         return;
-    switch (parts.scene.take(snapshot)) {
-    case TouchScene::Taken::same:
+    const TouchScene::Taken taken = parts.scene.take(snapshot);
+    if (taken == TouchScene::Taken::same)
         return;
-    case TouchScene::Taken::refused:
-        clear();
-        return;
-    case TouchScene::Taken::fresh:
-        parts.marks.wrench.take(snapshot);
-        break;
-    }
+    if (taken == TouchScene::Taken::refused)
+        return clear();
+    parts.marks.wrench.take(snapshot);
     if (isVisible())
         refresh();
 }
@@ -516,6 +510,12 @@ const Orbit& Scene3dView::orbit() const {
 void Scene3dView::resetView() {
     m_parts->follow->setChecked(false);
     look(CameraPreset::isometric);
+}
+
+void Scene3dView::frame() {
+    m_parts->follow->setChecked(false);
+    m_parts->camera.frame();
+    m_parts->onHand->setChecked(false);
 }
 
 core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {

@@ -98,6 +98,8 @@ public:
     [[nodiscard]] const Orbit& orbit() const;
     /// The isometric view of everything.
     void resetView();
+    /// Shows all of another source: nothing of the last one is followed any more.
+    void frame();
 
     /// Names of the layers that are switched off, for the settings.
     [[nodiscard]] QStringList hiddenLayers() const;

@@ -57,6 +57,13 @@ void SceneCamera::look(CameraPreset preset) {
     apply();
 }
 
+void SceneCamera::frame() {
+    if (isOnHand())
+        return look(CameraPreset::isometric);
+    fit();
+    apply();
+}
+
 void SceneCamera::standOnHand(const Eigen::Isometry3d& X_World_Sensor, double radius_m) {
     if (!X_World_Sensor.matrix().allFinite())
         return;

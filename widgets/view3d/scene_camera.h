@@ -34,6 +34,8 @@ public:
     void setAspect(double aspect);
     /// Sets the direction of view and fits the scene.
     void look(CameraPreset preset);
+    /// Fits the scene, and does so from now on; keeps the direction of view unless that was of a hand.
+    void frame();
     void turn(double azimuthStep_rad, double elevationStep_rad);
     /// Moves the scene to the right and up, in shares of the picture's height.
     void pan(double right, double up);

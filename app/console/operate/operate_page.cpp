@@ -329,6 +329,7 @@ void OperatePage::onActiveChanged() {
     m_latency_s.reset();
     SourceManager::Item* item = m_sources.active();
     const pipeline::ChannelKey key = item != nullptr ? item->key : 0;
+    const bool isOther = key != m_shown;
     changeCharts(key);
     m_marks->setSource(key, playback());
     const base::Provenance provenance = item != nullptr ? provenanceOf(*item) : base::Provenance::live;
@@ -358,6 +359,8 @@ void OperatePage::onActiveChanged() {
                      : servo        ? OperateDocks::Kind::servo
                                     : OperateDocks::Kind::array);
     m_settings->setEnabled(array != nullptr);
+    if (isOther)
+        m_scene->frame();
     onSourcesChanged();
 }
 

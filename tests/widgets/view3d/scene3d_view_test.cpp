@@ -421,6 +421,47 @@ private slots:
         QVERIFY2((there - hand.translation()).norm() < 0.01, qPrintable(QString::number(there.z())));
     }
 
+    void anotherSourceIsSeenWholeWhateverWasFollowed_data() {
+        QTest::addColumn<Qt::Key>("key");
+        QTest::newRow("a contact or the hand") << Qt::Key_F;
+        QTest::newRow("from the hand") << Qt::Key_6;
+        QTest::newRow("moved nearer") << Qt::Key_Plus;
+    }
+    void anotherSourceIsSeenWholeWhateverWasFollowed() {
+        QFETCH(Qt::Key, key);
+        Stage stage;
+        QVERIFY(stage.ready());
+        QVERIFY(stage.focused());
+        const auto distance_m = [&stage] {
+            vtkCamera* camera = rendererOf(stage.view)->GetActiveCamera();
+            return camera->GetDistance();
+        };
+        stage.view.setSnapshot(test::pressed(kLayout, {}, 1));
+        const double whole_m = distance_m();
+        view3d::ArmLink link;
+        link.length_m = 0.5;
+        link.radius_m = 0.05;
+        stage.view.setArmLinks(std::array{link});
+        Eigen::Isometry3d hand = Eigen::Isometry3d::Identity();
+        hand.translation() = Eigen::Vector3d(0.4, 0.1, 0.3);
+        stage.view.setSensorPose(hand);
+        QTest::keyClick(vtkOf(stage.view).focusProxy(), key);
+        for (std::uint64_t frame = 2; frame <= 100; ++frame)
+            stage.view.setSnapshot(test::pressed(kLayout, {}, frame));
+        QVERIFY(distance_m() > 0.0);
+
+        // The arm goes, an array on a table comes.
+        stage.view.clear();
+        stage.view.setArmLinks({});
+        stage.view.setSensorPose(Eigen::Isometry3d::Identity());
+        stage.view.frame();
+        stage.view.setSnapshot(test::pressed(kLayout, {}, 101));
+        QVERIFY(!stage.view.findChild<QAction*>("follow")->isChecked());
+        QVERIFY(!stage.view.findChild<QAction*>("onHand")->isChecked());
+        QVERIFY2(std::abs(distance_m() - whole_m) < 1e-6 * whole_m,
+                 qPrintable(QString::number(distance_m())));
+    }
+
     void fromTheHandTheCameraGoesWithTheArrayUntilAnotherViewIsChosen() {
         Stage stage;
         QVERIFY(stage.ready());
