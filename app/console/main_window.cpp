@@ -491,9 +491,14 @@ void MainWindow::keepOnScreen() {
     resize(size().boundedTo(room.size() - kFrame_px));
     if (!testAttribute(Qt::WA_Moved)) // the desktop finds a place
         return;
-    const QSize whole = size() + kFrame_px;
-    move(std::clamp(x(), room.left(), room.left() + room.width() - whole.width()),
-         std::clamp(y(), room.top(), room.top() + room.height() - whole.height()));
+    // Without the frame, whose place is not known before the window is shown.
+    const QSize whole = size() + 0.5 * kFrame_px;
+    const QRect place(
+        QPoint(std::clamp(geometry().x(), room.left(), room.left() + room.width() - whole.width()),
+               std::clamp(geometry().y(), room.top(), room.top() + room.height() - whole.height())),
+        size());
+    if (place != geometry())
+        setGeometry(place);
 }
 
 void MainWindow::focusPage() {
