@@ -64,9 +64,6 @@ namespace {
 constexpr char kOperate[] = "operate";
 constexpr char kStudy[] = "study";
 
-/// Two presses of Escape within this time are STOP.
-constexpr int kDoubleEscape_ms = 600;
-
 /// Room for the frame and the title that a desktop draws around the window.
 constexpr QSize kFrame_px(16, 48);
 
@@ -439,39 +436,6 @@ void MainWindow::showStop() {
     }
     log.append(Severity::warning, tr("STOP. %1", "cause").arg(chrome::StopBanner::sentence(m_stopCause)));
     m_stopBanner->engage(m_stopCause, QDateTime::currentDateTime().addMSecs(-ago_ms(since_ns)));
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    // Before any widget may use the key up, and over dialogs too, where shortcuts are dead. One press passes
-    // several widgets: it counts once, until the key is let go.
-    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
-        event->type() == QEvent::KeyRelease) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool down = event->type() != QEvent::KeyRelease;
-        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
-            onEscape(down);
-        } else if (down && key->key() == Qt::Key_Period && key->modifiers() & Qt::ControlModifier) {
-            engageStop(chrome::StopCause::keys);
-            return true;
-        } else if (down && openMenuBy(*static_cast<QKeyEvent*>(event))) {
-            return true;
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
-}
-
-void MainWindow::onEscape(bool down) {
-    if (down == m_escapeDown)
-        return;
-    m_escapeDown = down;
-    if (!down)
-        return;
-    if (m_lastEscape.isValid() && m_lastEscape.elapsed() < kDoubleEscape_ms) {
-        m_lastEscape.invalidate();
-        engageStop(chrome::StopCause::escape);
-    } else {
-        m_lastEscape.start();
-    }
 }
 
 void MainWindow::showPage(const QString& name) {

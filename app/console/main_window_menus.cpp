@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menus of the window, and what they set.
+// The menus of the window, what they set, and the keys of the whole program.
 #include "app/console/bracelet/bracelet_menu.h"
 #include "app/console/desktop/first_steps_keeper.h"
 #include "app/console/desktop/last_session.h"
@@ -34,6 +34,13 @@
 #include <vector>
 
 namespace teleta::console {
+
+namespace {
+
+/// Two presses of Escape within this time are STOP.
+constexpr int kDoubleEscape_ms = 600;
+
+} // namespace
 
 bool MainWindow::openMenuBy(QKeyEvent& key) {
     if (key.modifiers() != Qt::AltModifier || !isActiveWindow() ||
@@ -336,6 +343,44 @@ void MainWindow::editPreferences() {
         buildMenus();
     });
     dialog->open();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Before any widget may use the key up, and over dialogs too, where shortcuts are dead. One press passes
+    // several widgets: it counts once, until the key is let go.
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress ||
+        event->type() == QEvent::KeyRelease) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool down = event->type() != QEvent::KeyRelease;
+        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
+            onEscape(down);
+        } else if (down && key->key() == Qt::Key_Period && key->modifiers() & Qt::ControlModifier) {
+            engageStop(chrome::StopCause::keys);
+            return true;
+        } else if (down && openMenuBy(*static_cast<QKeyEvent*>(event))) {
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::onEscape(bool down) {
+    if (down == m_escapeDown)
+        return;
+    m_escapeDown = down;
+    if (!down)
+        return;
+    // It is for the menu, which goes.
+    if (qobject_cast<QMenu*>(QApplication::activePopupWidget()) != nullptr) {
+        m_lastEscape.invalidate();
+        return;
+    }
+    if (m_lastEscape.isValid() && m_lastEscape.elapsed() < kDoubleEscape_ms) {
+        m_lastEscape.invalidate();
+        engageStop(chrome::StopCause::escape);
+    } else {
+        m_lastEscape.start();
+    }
 }
 
 } // namespace teleta::console
