@@ -14,6 +14,7 @@ namespace teleta::chrome {
 namespace {
 
 constexpr double kEmptyPicture_em = 4.0;
+constexpr double kBriefGap = 1.0; ///< between the things below the buttons, where there is little room
 
 } // namespace
 
@@ -46,7 +47,22 @@ void EmptyState::setBrief(bool brief) {
     m_headline->setVisible(!brief);
     m_sentence->setVisible(!brief);
     if (m_more != nullptr)
-        m_more->setSpacing(base::grid(this, brief ? 1.0 : base::kSection));
+        m_more->setSpacing(base::grid(this, brief ? kBriefGap : base::kSection));
+}
+
+int EmptyState::neededHeight(bool brief) const {
+    const auto nextTo = [this](const QWidget* label, int height) {
+        return label->isHidden() ? 0 : height + m_layout->spacing();
+    };
+    const int height = m_layout->sizeHint().height() - nextTo(m_picture, m_picture->sizeHint().height());
+    if (m_headline->isHidden() == brief)
+        return height;
+    int words =
+        m_headline->sizeHint().height() + m_sentence->heightForWidth(width()) + 2 * m_layout->spacing();
+    for (int i = 0, shown = 0; m_more != nullptr && i < m_more->count(); ++i)
+        if (!m_more->itemAt(i)->widget()->isHidden() && ++shown > 1)
+            words += base::grid(this, base::kSection) - base::grid(this, kBriefGap);
+    return brief ? height - words : height + words;
 }
 
 QPushButton* EmptyState::addAction(const QString& text, const QString& toolTip) {

@@ -23,6 +23,8 @@ public:
 
     /// Leaves out headline and sentence, where what is below needs the room.
     void setBrief(bool brief);
+    /// The height at which nothing is smaller than it likes to be, without the picture.
+    [[nodiscard]] int neededHeight(bool brief) const;
     void setTexts(const QString& headline, const QString& sentence);
     /// The first action is the default one.
     QPushButton* addAction(const QString& text, const QString& toolTip);

@@ -117,7 +117,9 @@ bool StartPage::event(QEvent* event) {
 void StartPage::shareRoom() {
     const bool isLow = height() < base::em(this, kLowPage_em);
     m_steps->setLow(isLow);
-    setBrief(isLow && (!m_recent->isHidden() || height() < base::em(this, kLowestPage_em)));
+    const bool isLowest = isLow && (!m_recent->isHidden() || height() < base::em(this, kLowestPage_em));
+    // What is said of the cards is worth more than the headline.
+    setBrief(isLowest || (neededHeight(false) > height() && neededHeight(true) <= height()));
 }
 
 void StartPage::retranslate() {

@@ -141,6 +141,16 @@ private slots:
         languages().front()->trigger();
     }
 
+    void theCardsKeepTheirDescriptionsBesideTheLastSession() {
+        openWindow();
+        const auto* demos = child<chrome::DemoList>();
+        QTRY_VERIFY(demos->height() >= demos->sizeHint().height());
+        child<chrome::RecentList>()->setSession(QStringLiteral("teleoperation"));
+        QTRY_VERIFY(child<chrome::RecentList>()->isVisible());
+        QTRY_VERIFY2(demos->height() >= demos->sizeHint().height(), "the headline goes first");
+        child<chrome::RecentList>()->setSession({});
+    }
+
     void theStartPageIsWholeOnASmallScreenInEveryLanguage() {
         ConsoleOptions options;
         options.size = kSmallScreen;

@@ -18,21 +18,22 @@ namespace {
 constexpr double kCard_em = 20.0;
 constexpr double kSmallCard_em = 11.0;
 constexpr QSizeF kSmallPicture_em(2.8, 1.85);
-constexpr int kLines = 2; ///< of what is said about it, and of the title of a small card
+constexpr int kTitleLines = 2;
+constexpr int kLines = 3; ///< of the title and of what is said about it, on a large card
 
-/// Draws text in two lines at most from the top of a rect; the last one ends in an ellipsis if there is more.
-void drawLines(QPainter& painter, const QRectF& rect, const QString& text) {
+/// Draws text from the top of a rect; the last of the lines ends in an ellipsis if there is more.
+void drawLines(QPainter& painter, const QRectF& rect, const QString& text, int lines) {
     const QFontMetricsF metrics(painter.font(), painter.device());
     QTextLayout layout(text, painter.font());
     layout.beginLayout();
     double y = rect.top();
-    for (int i = 0; i < kLines; ++i) {
+    for (int i = 0; i < lines; ++i) {
         QTextLine line = layout.createLine();
         if (!line.isValid())
             break;
         line.setLineWidth(rect.width());
         const int start = line.textStart();
-        const bool isLast = i + 1 == kLines;
+        const bool isLast = i + 1 == lines;
         const QString shown = isLast ? metrics.elidedText(text.mid(start), Qt::ElideRight, rect.width())
                                      : text.mid(start, line.textLength());
         painter.drawText(QRectF(rect.left(), y, rect.width(), metrics.height()),
@@ -151,19 +152,16 @@ void DemoCard::paintEvent(QPaintEvent* /*event*/) {
     const QRectF room(left, card.top(), card.right() - margin - left, card.height());
     painter.setFont(shown);
     painter.setPen(palette().color(QPalette::Text));
-    if (m_size == Size::small) {
-        const bool isLong = titleMetrics.horizontalAdvance(text()) > room.width();
-        const double height = (isLong ? kLines : 1) * titleMetrics.height();
-        drawLines(painter, QRectF(left, card.center().y() - 0.5 * height, room.width(), height), text());
-        return;
-    }
-    const double height = titleMetrics.height() + kLines * smallMetrics.height();
+    const bool isLong = titleMetrics.horizontalAdvance(text()) > room.width();
+    const int titleLines = isLong ? kTitleLines : 1;
+    const int moreLines = m_size == Size::small ? 0 : kLines - titleLines;
+    const double title_px = titleLines * titleMetrics.height();
+    const double height = title_px + moreLines * smallMetrics.height();
     const QRectF lines(left, card.center().y() - 0.5 * height, room.width(), height);
-    painter.drawText(lines, Qt::AlignLeft | Qt::AlignTop,
-                     titleMetrics.elidedText(text(), Qt::ElideRight, lines.width()));
+    drawLines(painter, lines, text(), titleLines);
     painter.setFont(small);
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    drawLines(painter, lines.adjusted(0.0, titleMetrics.height(), 0.0, 0.0), m_about);
+    drawLines(painter, lines.adjusted(0.0, title_px, 0.0, 0.0), m_about, moreLines);
 }
 
 /// What the step is about, and whether it was done.
