@@ -5,6 +5,8 @@
 #include "widgets/base/theme.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/chrome/start/demo_card.h"
+#include "widgets/chrome/start/demo_list.h"
+#include "widgets/chrome/stop_button.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
@@ -243,11 +245,17 @@ private slots:
         const auto cards = window.operatePage().findChildren<chrome::DemoCard*>();
         QVERIFY(cards.size() > 10);
         std::set<QWidget*> left(cards.begin(), cards.end());
+        cards.first()->setFocus(Qt::TabFocusReason); // of the first steps
+        left.erase(cards.first());
         constexpr int kMostStops = 200;
         for (int i = 0; i < kMostStops && !left.empty(); ++i) {
             QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : &window,
                             Qt::Key_Tab);
-            left.erase(QApplication::focusWidget());
+            QWidget* focus = QApplication::focusWidget();
+            left.erase(focus);
+            // It could not show that it has the keyboard.
+            QVERIFY(qobject_cast<chrome::DemoList*>(focus) == nullptr);
+            QVERIFY2(qobject_cast<chrome::StopButton*>(focus) == nullptr || left.empty(), "after the cards");
         }
         QVERIFY2(left.empty(), qPrintable(QString::number(left.size())));
     }

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::chrome {
 
@@ -52,6 +53,7 @@ DemoList::DemoList(QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::ClickFocus); // no stop of Tab, which it could not show; its cards follow it
     // Shows the background of the page.
     viewport()->setAutoFillBackground(false);
     content->setAutoFillBackground(false);
@@ -63,6 +65,7 @@ void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
     m_groups.clear();
     m_cards.clear();
     QString name;
+    QWidget* before = this;
     for (const SourceChooser::Demo& demo : demos) {
         if (m_groups.empty() || demo.group != name) {
             name = demo.group;
@@ -81,6 +84,7 @@ void DemoList::setDemos(const std::vector<SourceChooser::Demo>& demos) {
         group.box->layout()->addWidget(card);
         ++group.cards;
         m_cards.insert(demo.path, card);
+        setTabOrder(std::exchange(before, card), card);
     }
     m_plan = {};
     arrange();
