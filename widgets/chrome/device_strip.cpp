@@ -31,6 +31,18 @@ QString cutToWidth(QString text, double width, const QFontMetricsF& metrics) {
     return text.trimmed() + ellipsis;
 }
 
+/// A name's end tells it from others as well as its beginning.
+QString cutInside(const QString& name, double width, const QFontMetricsF& metrics) {
+    if (base::tabularWidth(metrics, name) <= width)
+        return name;
+    for (qsizetype kept = name.size() - 1; kept > 0; --kept) {
+        QString text = name.first((kept + 1) / 2) + QChar(0x2026) + name.last(kept / 2);
+        if (base::tabularWidth(metrics, text) <= width)
+            return text;
+    }
+    return QString(QChar(0x2026));
+}
+
 /// The largest width per device with which all of them fit.
 double fairShare(std::vector<double> widths, double room) {
     std::ranges::sort(widths);
@@ -143,7 +155,7 @@ QString DeviceStrip::cutShort(const Cell& cell, double room_px) const {
     const QFontMetricsF metrics(font());
     const QString rest = compose(cell, Detail::cutShort, {});
     const QString whole =
-        cutToWidth(cell.reading.name, room_px - base::tabularWidth(metrics, rest), metrics) + rest;
+        cutInside(cell.reading.name, room_px - base::tabularWidth(metrics, rest), metrics) + rest;
     return base::tabularWidth(metrics, whole) <= room_px ? whole
                                                          : cutToWidth(rest.trimmed(), room_px, metrics);
 }

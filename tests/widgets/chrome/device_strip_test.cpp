@@ -199,6 +199,23 @@ private slots:
         QVERIFY(strip.text(0).contains("a camera with a long name"));
     }
 
+    void longNamesThatBeginAlikeStayApart() {
+        DeviceStrip strip;
+        const QString recording =
+            QStringLiteral("20261130T091014Z-teleoperation (Teleoperation: unknown objects)");
+        strip.show();
+        strip.setReadings({live(recording), live(recording + ": joints")});
+        strip.resize(strip.sizeHint());
+        while (!strip.shownText(0).contains(QChar(0x2026)) && strip.width() > 0)
+            strip.resize(strip.width() - 1, strip.height());
+        for (int step = 0; step < 20; ++step) {
+            QVERIFY2(strip.shownText(0).startsWith("20261130"), qPrintable(strip.shownText(0)));
+            QVERIFY2(strip.shownText(1).contains(": joints"), qPrintable(strip.shownText(1)));
+            QVERIFY(strip.shownText(0) != strip.shownText(1));
+            strip.resize(strip.width() - 10, strip.height());
+        }
+    }
+
     void hasADefinedTextForAnIndexThatIsNotThere() {
         DeviceStrip strip;
         QCOMPARE(strip.text(0), QString());
