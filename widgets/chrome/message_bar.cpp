@@ -180,11 +180,8 @@ bool MessageBar::event(QEvent* event) {
     if (event->type() == QEvent::LayoutRequest && isVisible()) {
         settle();
     } else if (event->type() == QEvent::LanguageChange) {
-        // What leaves by itself goes now: it is in the language in which it was said.
-        std::erase_if(m_entries, [](const Entry& entry) {
-            return entry.message.severity == Message::Severity::information;
-        });
-        rebuild();
+        // They are in the language in which they were said; the log keeps them.
+        clear();
     }
     return QWidget::event(event);
 }
