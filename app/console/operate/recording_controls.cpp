@@ -8,6 +8,7 @@
 #include "backend/core/steady_time.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
+#include "widgets/base/shown_path.h"
 #include "widgets/chrome/recording_indicator.h"
 
 #include <QAction>
@@ -64,7 +65,8 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     connect(&m_export, &RecordingExport::busyChanged, m_mcap, &QAction::setDisabled);
     connect(&m_export, &RecordingExport::finished, this,
             [this](const QString& folder, int files, int damaged, bool complete) {
-                onExported(tr("%n CSV file(s) were written.", nullptr, files), damaged, complete, folder);
+                onExported(tr("%n file(s) were written to %1.", nullptr, files).arg(base::fromHome(folder)),
+                           damaged, complete, folder);
             });
     connect(&m_export, &RecordingExport::finishedMcap, this,
             [this](const QString& file, int damaged, bool complete) {
