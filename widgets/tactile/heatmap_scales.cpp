@@ -2,6 +2,7 @@
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/numbers/calm_range.h"
 #include "widgets/base/numbers/quantity_text.h"
+#include "widgets/base/numbers/unit_title.h"
 #include "widgets/base/theme.h"
 #include "widgets/tactile/heatmap_ink.h"
 #include "widgets/tactile/heatmap_painter.h"
@@ -63,9 +64,10 @@ void HeatmapPainter::paintScales() {
     m_painter->setPen(m_palette.color(QPalette::Text));
     m_painter->drawText(
         QRectF(xTip.x() - 4.0 * m_em, bottom + tick + metrics.height(), 4.3 * m_em, metrics.height()),
-        Qt::AlignRight | Qt::AlignTop, tr("x [mm]"));
+        Qt::AlignRight | Qt::AlignTop, base::titleWithUnit(tr("x"), QStringLiteral("mm")));
     m_painter->drawText(QRectF(yTip.x() - 5.3 * m_em, yTip.y() - 0.5 * m_em, 4.8 * m_em, metrics.height()),
-                        Qt::AlignRight | Qt::AlignVCenter, tr("y [mm]"));
+                        Qt::AlignRight | Qt::AlignVCenter,
+                        base::titleWithUnit(tr("y"), QStringLiteral("mm")));
     m_painter->setFont(normal);
 }
 

@@ -116,7 +116,7 @@ void ContourPicture::paintAxes(QPainter& painter, const QRectF& plot, const QTra
     const QColor grid = base::mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.1);
     painter.setFont(small);
     const auto label = [step_m](double value_m) {
-        return QLocale().toString(value_m * 1e3, 'f', step_m < 1e-3 ? 1 : 0);
+        return base::fixedDigits(value_m * 1e3, step_m < 1e-3 ? 1 : 0);
     };
     for (double x_m = std::ceil(seen.left() / step_m) * step_m; x_m <= seen.right(); x_m += step_m) {
         const double x = toPlot.map(QPointF(x_m, 0.0)).x();
