@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/file_dialog.h"
 
-#include <QFileDialog>
+#include "widgets/base/theme.h"
 
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QScreen>
+#include <QSplitter>
+#include <QTreeView>
+
+#include <array>
 #include <utility>
 
 namespace teleta::base {
 
 namespace {
+
+constexpr double kPlaces_em = 12.0;
+constexpr std::array kColumns_em{24.0, 6.0, 9.0, 12.0}; ///< name, size, type, date
+constexpr double kWidth_em = 66.0;
+constexpr double kHeight_em = 34.0;
+
+/// Room for the names of recordings, whose beginnings are alike, and for the list of places beside them.
+void giveRoom(QFileDialog& dialog) {
+    const QSize screen = dialog.screen()->availableSize();
+    dialog.resize(QSize(em(&dialog, kWidth_em), em(&dialog, kHeight_em)).boundedTo(0.9 * screen));
+    if (auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView")))
+        for (std::size_t i = 0; i < kColumns_em.size(); ++i)
+            files->header()->resizeSection(static_cast<int>(i), em(&dialog, kColumns_em[i]));
+    if (auto* split = dialog.findChild<QSplitter*>(QStringLiteral("splitter")))
+        split->setSizes({em(&dialog, kPlaces_em), em(&dialog, kWidth_em - kPlaces_em)});
+}
 
 QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDialog::FileMode mode) {
     auto* dialog = new QFileDialog(parent, question.title, question.folder);
@@ -18,6 +41,7 @@ QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDial
         dialog->setNameFilters(question.filters);
     dialog->setAcceptMode(mode == QFileDialog::AnyFile ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(mode);
+    giveRoom(*dialog);
     return dialog;
 }
 
