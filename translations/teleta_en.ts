@@ -389,6 +389,23 @@
     </message>
 </context>
 <context>
+    <name>teleta::calibrate::MotorsView</name>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, saved</source>
+        <translation>
+            <numerusform>%n of %1 motors calibrated, saved</numerusform>
+            <numerusform>%n of %1 motors calibrated, saved</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, not saved</source>
+        <translation>
+            <numerusform>%n of %1 motors calibrated, not saved</numerusform>
+            <numerusform>%n of %1 motors calibrated, not saved</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>teleta::camera::GelPanel</name>
     <message numerus="yes">
         <source>%n skipped</source>
@@ -573,10 +590,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n CSV file(s) were written.</source>
+        <source>%n file(s) were written to %1.</source>
         <translation>
-            <numerusform>%n CSV file was written.</numerusform>
-            <numerusform>%n CSV files were written.</numerusform>
+            <numerusform>%n file was written to %1.</numerusform>
+            <numerusform>%n files were written to %1.</numerusform>
         </translation>
     </message>
 </context>

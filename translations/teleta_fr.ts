@@ -5394,14 +5394,6 @@ Exemples&#xa0;:
 <context>
     <name>HeatmapPainter</name>
     <message>
-        <source>x [mm]</source>
-        <translation>x [mm]</translation>
-    </message>
-    <message>
-        <source>y [mm]</source>
-        <translation>y [mm]</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>fixe</translation>
     </message>
@@ -5473,6 +5465,14 @@ Exemples&#xa0;:
         <source>extrapolated</source>
         <comment>loads</comment>
         <translation>extrapolation</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
     </message>
 </context>
 <context>
@@ -14269,6 +14269,10 @@ Lancez teleta-site --help pour en savoir plus.
         <comment>behind a level; force as a share of full</comment>
         <translation> (%1 Hz, force %2&#xa0;%)</translation>
     </message>
+    <message>
+        <source>STOP is released. The session waits, and an interrupted trial will be shown again.</source>
+        <translation>STOP est relâché. La session attend ; un essai interrompu sera présenté à nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -17412,10 +17416,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>%1 des %2 taxels sont chargés.</translation>
     </message>
     <message>
-        <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
-        <translation>En attente d’une charge sur plus de la moitié des taxels&#xa0;: %1 sur %2 maintenant.</translation>
-    </message>
-    <message>
         <source>Keep pressing: %1 of %2 taxels are under load.</source>
         <translation>Continuez d’appuyer&#xa0;: %1 des %2 taxels sont chargés.</translation>
     </message>
@@ -17542,6 +17542,22 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Tare &amp;now</source>
         <translation>&amp;Tarer maintenant</translation>
+    </message>
+    <message>
+        <source>Tare the array</source>
+        <translation>Tarer la matrice</translation>
+    </message>
+    <message>
+        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
+        <translation>Ce qui appuie sur la matrice pendant la tare ne compte plus comme charge ensuite. Ne tarez que si rien ne touche la matrice et que les charges affichées sont une dérive.</translation>
+    </message>
+    <message>
+        <source>&amp;Tare under load</source>
+        <translation>&amp;Tarer sous charge</translation>
+    </message>
+    <message>
+        <source>Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is pressed already, it was tared under that load: take the load off and tare again.</source>
+        <translation>En attente d’une charge sur plus de la moitié des taxels : %1 sur %2 maintenant. Si quelque chose appuie déjà sur la matrice, elle a été tarée sous cette charge : retirez la charge et tarez à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -18008,14 +18024,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>L’ordinateur était occupé&#xa0;: %1&#xa0;% du temps est sans mesures. Mesurez à nouveau avec moins de programmes en cours.</translation>
     </message>
     <message>
-        <source>%1 of %2 motors calibrated, saved</source>
-        <translation>%1 moteurs sur&#xa0;%2 étalonnés, enregistré</translation>
-    </message>
-    <message>
-        <source>%1 of %2 motors calibrated, not saved</source>
-        <translation>%1 moteurs sur&#xa0;%2 étalonnés, non enregistré</translation>
-    </message>
-    <message>
         <source>Measuring motor %1, %2 of %3: steps up to full drive, then pulses.</source>
         <translation>Mesure du moteur&#xa0;%1,&#xa0;%2 sur&#xa0;%3&#xa0;: des échelons jusqu’à la pleine commande, puis des impulsions.</translation>
     </message>
@@ -18058,6 +18066,20 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Balance by the c&amp;urves</source>
         <translation>Équilibrer par les co&amp;urbes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, saved</source>
+        <translation>
+            <numerusform>%n moteur sur %1 étalonné, enregistré</numerusform>
+            <numerusform>%n moteurs sur %1 étalonnés, enregistré</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, not saved</source>
+        <translation>
+            <numerusform>%n moteur sur %1 étalonné, non enregistré</numerusform>
+            <numerusform>%n moteurs sur %1 étalonnés, non enregistré</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -21607,6 +21629,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
         <translation>Pas encore de marque. Pendant un enregistrement, M en pose une ; saisissez ensuite ce que c’était.</translation>
     </message>
+    <message>
+        <source>This recording is played: Enter goes to a mark. Marks are named while they are recorded, or afterwards beside the source that was recorded.</source>
+        <translation>Cet enregistrement est lu : Entrée va à une marque. Les marques se nomment pendant l’enregistrement, ou après lui à côté de la source enregistrée.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MotorCalibrator</name>
@@ -22886,13 +22912,6 @@ Lancez teleta-site --help pour en savoir plus.
             <numerusform>%n blocs endommagés ignorés.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n CSV file(s) were written.</source>
-        <translation>
-            <numerusform>%n fichier CSV a été écrit.</numerusform>
-            <numerusform>%n fichiers CSV ont été écrits.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 could not be exported.</source>
         <comment>a file</comment>
@@ -22992,6 +23011,13 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Show in folder</source>
         <translation>Afficher dans le dossier</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were written to %1.</source>
+        <translation>
+            <numerusform>%n fichier a été écrit dans %1.</numerusform>
+            <numerusform>%n fichiers ont été écrits dans %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -25904,6 +25930,11 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Bracelet</source>
         <translation>Bracelet</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>letter of a pattern, its name</comment>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>

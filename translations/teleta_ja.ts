@@ -5381,14 +5381,6 @@ Examples:
 <context>
     <name>HeatmapPainter</name>
     <message>
-        <source>x [mm]</source>
-        <translation>x [mm]</translation>
-    </message>
-    <message>
-        <source>y [mm]</source>
-        <translation>y [mm]</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>固定</translation>
     </message>
@@ -5460,6 +5452,14 @@ Examples:
         <source>extrapolated</source>
         <comment>loads</comment>
         <translation>外挿</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
     </message>
 </context>
 <context>
@@ -14234,6 +14234,10 @@ Run teleta-site --help for more.
         <comment>behind a level; force as a share of full</comment>
         <translation> （%1 Hz、力 %2 %）</translation>
     </message>
+    <message>
+        <source>STOP is released. The session waits, and an interrupted trial will be shown again.</source>
+        <translation>STOPは解除されました。セッションは待機しています。中断した試行は再び提示されます。</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -17368,10 +17372,6 @@ Run teleta-site --help for more.
         <translation>%2個中%1個のタクセルに荷重がかかっています。</translation>
     </message>
     <message>
-        <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
-        <translation>半分を超えるタクセルへの荷重を待っています: 現在%2個中%1個。</translation>
-    </message>
-    <message>
         <source>Keep pressing: %1 of %2 taxels are under load.</source>
         <translation>押し続けてください: %2個中%1個のタクセルに荷重がかかっています。</translation>
     </message>
@@ -17498,6 +17498,22 @@ Run teleta-site --help for more.
     <message>
         <source>Tare &amp;now</source>
         <translation>ゼロ点調整(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Tare the array</source>
+        <translation>アレイのゼロ点調整</translation>
+    </message>
+    <message>
+        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
+        <translation>ゼロ点調整中にアレイを押しているものは、その後は荷重として数えられません。何もアレイに触れておらず、表示されている荷重がドリフトである場合にだけゼロ点を調整してください。</translation>
+    </message>
+    <message>
+        <source>&amp;Tare under load</source>
+        <translation>荷重がかかったままゼロ点調整(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is pressed already, it was tared under that load: take the load off and tare again.</source>
+        <translation>半分を超えるタクセルへの荷重を待っています: 現在%2個中%1個。アレイがすでに押されている場合は、その荷重のままゼロ点が調整されています。荷重を取り除いて、もう一度ゼロ点を調整してください。</translation>
     </message>
 </context>
 <context>
@@ -17964,14 +17980,6 @@ Run teleta-site --help for more.
         <translation>コンピューターがビジーでした: 時間の%1 %に測定値がありません。実行中のプログラムを減らして測定し直してください。</translation>
     </message>
     <message>
-        <source>%1 of %2 motors calibrated, saved</source>
-        <translation>%2個中%1個のモーターをキャリブレーション済み、保存済み</translation>
-    </message>
-    <message>
-        <source>%1 of %2 motors calibrated, not saved</source>
-        <translation>%2個中%1個のモーターをキャリブレーション済み、未保存</translation>
-    </message>
-    <message>
         <source>Measuring motor %1, %2 of %3: steps up to full drive, then pulses.</source>
         <translation>モーター %1 を測定中（%3 個中 %2 個目）：最大駆動までの段階、続いてパルス。</translation>
     </message>
@@ -18014,6 +18022,18 @@ Run teleta-site --help for more.
     <message>
         <source>Balance by the c&amp;urves</source>
         <translation>曲線で均一化(&amp;U)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, saved</source>
+        <translation>
+            <numerusform>%1個中%n個のモーターをキャリブレーション済み、保存済み</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, not saved</source>
+        <translation>
+            <numerusform>%1個中%n個のモーターをキャリブレーション済み、未保存</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -21547,6 +21567,10 @@ Run teleta-site --help for more.
         <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
         <translation>マークはまだありません。記録中にMでマークを付け、内容を入力します。</translation>
     </message>
+    <message>
+        <source>This recording is played: Enter goes to a mark. Marks are named while they are recorded, or afterwards beside the source that was recorded.</source>
+        <translation>この記録は再生中です。Enterでマークに移動します。マークの名前は、記録中、または記録後に元のソースを表示して付けます。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MotorCalibrator</name>
@@ -22821,12 +22845,6 @@ Run teleta-site --help for more.
             <numerusform>破損した%nブロックを除外しました。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n CSV file(s) were written.</source>
-        <translation>
-            <numerusform>%n個のCSVファイルを書き込みました。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 could not be exported.</source>
         <comment>a file</comment>
@@ -22926,6 +22944,12 @@ Run teleta-site --help for more.
     <message>
         <source>Show in folder</source>
         <translation>フォルダーを開く</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were written to %1.</source>
+        <translation>
+            <numerusform>%n 個のファイルを %1 に書き込みました。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -25833,6 +25857,11 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Bracelet</source>
         <translation>ブレスレット</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>letter of a pattern, its name</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

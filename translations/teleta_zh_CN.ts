@@ -5381,14 +5381,6 @@ Examples:
 <context>
     <name>HeatmapPainter</name>
     <message>
-        <source>x [mm]</source>
-        <translation>x [mm]</translation>
-    </message>
-    <message>
-        <source>y [mm]</source>
-        <translation>y [mm]</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>固定</translation>
     </message>
@@ -5460,6 +5452,14 @@ Examples:
         <source>extrapolated</source>
         <comment>loads</comment>
         <translation>外推</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
     </message>
 </context>
 <context>
@@ -14234,6 +14234,10 @@ Run teleta-site --help for more.
         <comment>behind a level; force as a share of full</comment>
         <translation> （%1 Hz，力 %2 %）</translation>
     </message>
+    <message>
+        <source>STOP is released. The session waits, and an interrupted trial will be shown again.</source>
+        <translation>STOP 已解除。此场次正在等待，被中断的试次将重新呈现。</translation>
+    </message>
 </context>
 <context>
     <name>StudySchema</name>
@@ -17368,10 +17372,6 @@ Run teleta-site --help for more.
         <translation>%2 个触觉单元中有 %1 个受载。</translation>
     </message>
     <message>
-        <source>Waiting for a load on more than half of the taxels: %1 of %2 now.</source>
-        <translation>等待一半以上的触觉单元受载：现在 %1 / %2。</translation>
-    </message>
-    <message>
         <source>Keep pressing: %1 of %2 taxels are under load.</source>
         <translation>请继续按压：%2 个触觉单元中有 %1 个受载。</translation>
     </message>
@@ -17498,6 +17498,22 @@ Run teleta-site --help for more.
     <message>
         <source>Tare &amp;now</source>
         <translation>立即去皮(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Tare the array</source>
+        <translation>对阵列去皮</translation>
+    </message>
+    <message>
+        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
+        <translation>去皮时压在阵列上的东西，之后不再算作载荷。只有在没有任何物体接触阵列、所显示的载荷是漂移时才去皮。</translation>
+    </message>
+    <message>
+        <source>&amp;Tare under load</source>
+        <translation>带载去皮(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is pressed already, it was tared under that load: take the load off and tare again.</source>
+        <translation>等待一半以上的触觉单元受载：现在 %1 / %2。如果阵列已经受压，说明它是在该载荷下去皮的：请移除载荷并重新去皮。</translation>
     </message>
 </context>
 <context>
@@ -17964,14 +17980,6 @@ Run teleta-site --help for more.
         <translation>计算机繁忙：%1 % 的时间没有读数。请减少运行的程序后重新测量。</translation>
     </message>
     <message>
-        <source>%1 of %2 motors calibrated, saved</source>
-        <translation>%2 个电机中已标定 %1 个，已保存</translation>
-    </message>
-    <message>
-        <source>%1 of %2 motors calibrated, not saved</source>
-        <translation>%2 个电机中已标定 %1 个，未保存</translation>
-    </message>
-    <message>
         <source>Measuring motor %1, %2 of %3: steps up to full drive, then pulses.</source>
         <translation>正在测量电机 %1（第 %2 个，共 %3 个）：逐级升至最大驱动，然后是脉冲。</translation>
     </message>
@@ -18014,6 +18022,18 @@ Run teleta-site --help for more.
     <message>
         <source>Balance by the c&amp;urves</source>
         <translation>按曲线平衡(&amp;U)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, saved</source>
+        <translation>
+            <numerusform>%1 个电机中已标定 %n 个，已保存</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 motors calibrated, not saved</source>
+        <translation>
+            <numerusform>%1 个电机中已标定 %n 个，未保存</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -21547,6 +21567,10 @@ Run teleta-site --help for more.
         <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
         <translation>还没有标记。记录时按 M 添加标记，然后输入其内容。</translation>
     </message>
+    <message>
+        <source>This recording is played: Enter goes to a mark. Marks are named while they are recorded, or afterwards beside the source that was recorded.</source>
+        <translation>正在回放此记录：按 Enter 跳到标记。标记在记录期间命名，或在记录之后于所记录的数据源旁命名。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::MotorCalibrator</name>
@@ -22821,12 +22845,6 @@ Run teleta-site --help for more.
             <numerusform>略去 %n 个损坏的数据块。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n CSV file(s) were written.</source>
-        <translation>
-            <numerusform>已写入 %n 个 CSV 文件。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 could not be exported.</source>
         <comment>a file</comment>
@@ -22926,6 +22944,12 @@ Run teleta-site --help for more.
     <message>
         <source>Show in folder</source>
         <translation>打开所在文件夹</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were written to %1.</source>
+        <translation>
+            <numerusform>已将 %n 个文件写入 %1。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -25833,6 +25857,11 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>Bracelet</source>
         <translation>手环</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>letter of a pattern, its name</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
