@@ -370,11 +370,6 @@ void MainWindow::onEscape(bool down) {
     m_escapeDown = down;
     if (!down)
         return;
-    // It is for the menu, which goes.
-    if (qobject_cast<QMenu*>(QApplication::activePopupWidget()) != nullptr) {
-        m_lastEscape.invalidate();
-        return;
-    }
     if (m_lastEscape.isValid() && m_lastEscape.elapsed() < kDoubleEscape_ms) {
         m_lastEscape.invalidate();
         engageStop(chrome::StopCause::escape);

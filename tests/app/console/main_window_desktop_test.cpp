@@ -325,36 +325,25 @@ private slots:
         QVERIFY(!m_window->findChild<QAction*>("trail")->isChecked());
     }
 
-    /// They were meant for the menus; the two after them stop.
-    void escapesThatCloseMenusDoNotCount() {
+    /// They may have been meant for the menu, and stop nevertheless: the banner says so.
+    void twoEscapesOutOfAMenuStopAndAreNamed() {
         openAgain();
-        QMenu outer(m_window.get());
-        QMenu* inner = outer.addMenu(QStringLiteral("&More"));
-        inner->addAction(QStringLiteral("&Deep"));
-        outer.popup(m_window->mapToGlobal(QPoint(40, 40)));
-        QVERIFY(QTest::qWaitForWindowExposed(&outer));
-        QTest::keyClick(&outer, Qt::Key_M);
-        QTRY_VERIFY(inner->isVisible());
-        QTest::keyClick(inner, Qt::Key_Escape);
-        QTRY_VERIFY(!inner->isVisible());
-        QVERIFY(outer.isVisible());
-        QTest::keyClick(&outer, Qt::Key_Escape);
-        QTRY_VERIFY(!outer.isVisible());
-        QVERIFY(!m_stop->engaged());
-        QTest::keyClick(m_window.get(), Qt::Key_Escape);
-        QVERIFY2(!m_stop->engaged(), "the first one that is for nothing else");
+        QAction* view = nullptr;
+        for (QAction* action : m_window->menuBar()->actions())
+            if (action->menu() != nullptr && !action->menu()->actions().isEmpty())
+                view = action;
+        QVERIFY(view != nullptr);
+        view->menu()->popup(m_window->mapToGlobal(QPoint(40, 40)));
+        QVERIFY(QTest::qWaitForWindowExposed(view->menu()));
+        QTest::keyClick(view->menu(), Qt::Key_Escape);
+        QTRY_VERIFY(!view->menu()->isVisible());
+        QVERIFY2(!m_stop->engaged(), "one closes the menu");
         QTest::keyClick(m_window.get(), Qt::Key_Escape);
         QVERIFY(m_stop->engaged());
         const auto labels = m_window->findChild<chrome::StopBanner*>()->findChildren<QLabel*>();
         QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
             return label->isVisible() && label->text().contains("Esc was pressed twice.");
         }));
-        // The other keys stop over a menu as well.
-        m_stop->release();
-        outer.popup(m_window->mapToGlobal(QPoint(40, 40)));
-        QVERIFY(QTest::qWaitForWindowExposed(&outer));
-        QTest::keyClick(&outer, Qt::Key_Period, Qt::ControlModifier);
-        QVERIFY(m_stop->engaged());
     }
 
     void twoArmsHaveTwoNamesForTheirJoints() {
