@@ -4,7 +4,9 @@
 #include "app/console/operate/recording_controls.h"
 #include "backend/pipeline/arm_channel.h"
 #include "backend/recording/recording.h"
+#include "widgets/base/shown_path.h"
 #include "widgets/base/theme.h"
+#include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/playback_bar.h"
 #include "widgets/chrome/source_chooser.h"
 #include "widgets/touch/run_sheet.h"
@@ -13,7 +15,9 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QSignalSpy>
@@ -163,6 +167,27 @@ private slots:
             QCOMPARE(touches.touches(), played);
             QCOMPARE(sheet.object(0).touches, onFirst);
         }
+    }
+
+    void anExportSaysToWhichFolderItWrote() {
+        ConsoleOptions options;
+        options.scenes << QStringLiteral("tactile-indenter");
+        options.record = m_folder->filePath("short.teleta");
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->recorder().status().frames >= 100, kPatience_ms);
+        m_window->recording().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->recorder().state(), RecordingService::State::idle, kPatience_ms);
+        const QString folder = m_folder->filePath("short");
+        QSignalSpy exported(&m_window->recording().csv(), &console::RecordingExport::finished);
+        m_window->recording().csv().start(options.record, folder);
+        QTRY_COMPARE_WITH_TIMEOUT(exported.size(), 1, kPatience_ms);
+        const auto labels = m_window->operatePage().messages().findChildren<QLabel*>();
+        const QString where = base::fromHome(folder) + QLatin1Char('.');
+        const auto said =
+            std::ranges::find_if(labels, [&](const QLabel* label) { return label->text().endsWith(where); });
+        QVERIFY(said != labels.end());
+        const auto files = QDir(folder).entryList(QDir::Files);
+        QVERIFY2((*said)->text().startsWith(QString::number(files.size())), qPrintable((*said)->text()));
     }
 
     /// Whoever plays a recording does not hinder the console that made it.

@@ -170,6 +170,24 @@ private slots:
         QVERIFY(csv.open(QIODevice::ReadOnly));
         QCOMPARE(csv.readAll(), QByteArray("x_m,y_m\n0.1,0\n0.2,0\n0.2,0.1\n0.1,0.1\n"));
     }
+
+    void numbersBelowZeroHaveATrueMinus() {
+        pipeline::ExploredContour below = square();
+        below.recognition.reset();
+        for (auto* points : {&below.points_m, &below.curve_m})
+            for (contour::Point& point : *points)
+                point.y() -= 0.3;
+        const QTemporaryDir folder;
+        ContourView view;
+        view.resize(400, 300);
+        view.setContour(below);
+        QVERIFY(base::saveFigure(view.figure(), folder.filePath("contour.svg")));
+        QFile svg(folder.filePath("contour.svg"));
+        QVERIFY(svg.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(svg.readAll());
+        QVERIFY(text.contains(QStringLiteral(">\u2212250")));
+        QVERIFY(!text.contains(QStringLiteral(">-")));
+    }
 };
 
 static const test::Registration<ContourViewTest> kRegistration;
