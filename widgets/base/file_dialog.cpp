@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPlaces_em = 12.0;
 constexpr std::array kColumns_em{24.0, 6.0, 9.0, 12.0}; ///< name, size, type, date
-constexpr double kWidth_em = 66.0;
+constexpr double kWidth_em = 69.0;
 constexpr double kHeight_em = 34.0;
 
 /// Room for the names of recordings, whose beginnings are alike, and for the list of places beside them.
