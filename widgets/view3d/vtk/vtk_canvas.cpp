@@ -154,8 +154,12 @@ bool VtkCanvas::paintsOnScreen() const {
 
 void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
     const QSize device = deviceSize();
-    if (device.isEmpty() || !makeContext())
+    if (device.isEmpty())
         return;
+    if (!makeContext()) {
+        QPainter(this).fillRect(rect(), palette().window()); // until the reason is shown instead
+        return;
+    }
     setDeviceSize(device, devicePixelRatio());
     const bool fits = m_frame.size() == device && m_frame.devicePixelRatio() == m_pixelScale;
     if (!paintsOnScreen()) {
@@ -170,6 +174,8 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
         requestRender(); // there were no requests while it was hidden
     }
     QPainter painter(this);
+    if (m_frame.isNull()) // it could not be read
+        painter.fillRect(rect(), palette().window());
     painter.drawImage(QPointF(), m_frame);
     if (m_overlay) {
         painter.setRenderHint(QPainter::Antialiasing);
