@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/camera_views.h"
 
+#include "app/console/operate/taken_events.h"
 #include "backend/core/steady_time.h"
 #include "widgets/camera/camera_panel.h"
 #include "widgets/camera/event_model.h"
@@ -61,13 +62,8 @@ void CameraViews::setCamera(std::shared_ptr<pipeline::CameraChannel> camera, bas
 }
 
 void CameraViews::keep(const std::shared_ptr<pipeline::CameraChannel>& camera) {
-    pipeline::CameraEvent event;
-    while (camera && camera->popEvent(event)) {
-        auto& kept = m_kept[camera];
-        kept.push_front(event);
-        if (kept.size() > camera::EventModel::kCapacity)
-            kept.pop_back();
-    }
+    if (camera)
+        takeEvents(*camera, m_kept[camera], camera::EventModel::kCapacity);
 }
 
 bool CameraViews::tick() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/gel_views.h"
 
+#include "app/console/operate/taken_events.h"
 #include "backend/core/steady_time.h"
 #include "widgets/camera/gel/gel_event_table.h"
 #include "widgets/camera/gel/gel_panel.h"
@@ -77,13 +78,8 @@ void GelViews::setGel(std::shared_ptr<pipeline::GelChannel> gel, base::Provenanc
 }
 
 void GelViews::keep(const std::shared_ptr<pipeline::GelChannel>& gel) {
-    pipeline::GelEvent event;
-    while (gel && gel->popEvent(event)) {
-        auto& kept = m_kept[gel];
-        kept.push_front(event);
-        if (kept.size() > camera::GelEventModel::kCapacity)
-            kept.pop_back();
-    }
+    if (gel)
+        takeEvents(*gel, m_kept[gel], camera::GelEventModel::kCapacity);
 }
 
 bool GelViews::tick() {
