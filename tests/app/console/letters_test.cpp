@@ -17,6 +17,7 @@
 #include "app/console/study/study_page.h"
 #include "backend/pattern/files/foreign_formats.h"
 #include "backend/study/protocol/protocol.h"
+#include "tests/app/console/lettered_texts.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/vtk/gl_setup.h"
@@ -25,8 +26,6 @@
 #include <QApplication>
 #include <QDialogButtonBox>
 #include <QDockWidget>
-#include <QGroupBox>
-#include <QLabel>
 #include <QMap>
 #include <QSet>
 #include <QTabBar>
@@ -80,17 +79,10 @@ QMap<QString, QStringList> lettersIn(const QWidget& window, const QDockWidget* d
         const QDockWidget* own = dockOf(widget);
         if (!widget->isVisible() || widget->window() != &window || (own != nullptr && own != dock))
             continue;
-        if (auto* button = qobject_cast<QAbstractButton*>(widget)) {
-            const auto* box = qobject_cast<const QDialogButtonBox*>(button->parentWidget());
-            look(box != nullptr ? textOnGnome(box->standardButton(button), button->text()) : button->text());
-        }
-        if (const auto* label = qobject_cast<const QLabel*>(widget); label != nullptr && label->buddy())
-            look(label->text());
-        if (const auto* box = qobject_cast<const QGroupBox*>(widget))
-            look(box->title());
-        if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
-            for (int tab = 0; tab < tabs->count(); ++tab)
-                look(tabs->tabText(tab));
+        auto* button = qobject_cast<QAbstractButton*>(widget);
+        const auto* box = qobject_cast<const QDialogButtonBox*>(widget->parentWidget());
+        for (const QString& text : test::letteredTexts(*widget))
+            look(button != nullptr && box != nullptr ? textOnGnome(box->standardButton(button), text) : text);
     }
     return texts;
 }

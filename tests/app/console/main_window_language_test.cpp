@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/main_window.h"
 #include "app/console/study/study_page.h"
+#include "tests/app/console/lettered_texts.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/message_bar.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
-#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
-#include <QGroupBox>
 #include <QHash>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -320,15 +318,8 @@ private slots:
         for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
             if (widget->window() != m_window.get())
                 continue; // in a dialog Alt and a letter are its own
-            if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
-                look(button->text());
-            if (const auto* label = qobject_cast<const QLabel*>(widget); label != nullptr && label->buddy())
-                look(label->text());
-            if (const auto* box = qobject_cast<const QGroupBox*>(widget))
-                look(box->title());
-            if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
-                for (int tab = 0; tab < tabs->count(); ++tab)
-                    look(tabs->tabText(tab));
+            for (const QString& text : test::letteredTexts(*widget))
+                look(text);
         }
         QVERIFY(letters > 5);
         taken.removeDuplicates();
