@@ -20,6 +20,23 @@ using namespace teleta;
 using namespace teleta::test;
 using view3d::CameraPreset;
 
+namespace {
+
+const Eigen::Vector3d kHand_m(0.4, 0.1, 0.3);
+
+/// An arm of one link, with the array in its hand.
+void giveArm(view3d::Scene3dView& view) {
+    view3d::ArmLink link;
+    link.length_m = 0.5;
+    link.radius_m = 0.05;
+    view.setArmLinks(std::array{link});
+    Eigen::Isometry3d hand = Eigen::Isometry3d::Identity();
+    hand.translation() = kHand_m;
+    view.setSensorPose(hand);
+}
+
+} // namespace
+
 /// The camera of the 3-D view goes along with a contact or the hand, until another source comes.
 class Scene3dFollowingTest : public QObject {
     Q_OBJECT
@@ -40,17 +57,11 @@ private slots:
         QCOMPARE(before.azimuth_rad, view3d::orbitOf(CameraPreset::isometric).azimuth_rad);
 
         // Without a contact it is the hand of an arm.
-        view3d::ArmLink link;
-        link.length_m = 0.5;
-        link.radius_m = 0.05;
-        stage.view.setArmLinks(std::array{link});
-        Eigen::Isometry3d hand = Eigen::Isometry3d::Identity();
-        hand.translation() = Eigen::Vector3d(0.4, 0.1, 0.3);
-        stage.view.setSensorPose(hand);
+        giveArm(stage.view);
         for (std::uint64_t frame = 401; frame <= 800; ++frame)
             stage.view.setSnapshot(test::pressed(kLayout, {}, frame));
         const Eigen::Vector3d there(rendererOf(stage.view)->GetActiveCamera()->GetFocalPoint());
-        QVERIFY2((there - hand.translation()).norm() < 0.01, qPrintable(QString::number(there.z())));
+        QVERIFY2((there - kHand_m).norm() < 0.01, qPrintable(QString::number(there.z())));
     }
 
     void anotherSourceIsSeenWholeWhateverWasFollowed_data() {
@@ -70,13 +81,7 @@ private slots:
         };
         stage.view.setSnapshot(test::pressed(kLayout, {}, 1));
         const double whole_m = distance_m();
-        view3d::ArmLink link;
-        link.length_m = 0.5;
-        link.radius_m = 0.05;
-        stage.view.setArmLinks(std::array{link});
-        Eigen::Isometry3d hand = Eigen::Isometry3d::Identity();
-        hand.translation() = Eigen::Vector3d(0.4, 0.1, 0.3);
-        stage.view.setSensorPose(hand);
+        giveArm(stage.view);
         QTest::keyClick(vtkOf(stage.view).focusProxy(), key);
         for (std::uint64_t frame = 2; frame <= 100; ++frame)
             stage.view.setSnapshot(test::pressed(kLayout, {}, frame));
