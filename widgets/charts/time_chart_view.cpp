@@ -33,8 +33,7 @@ namespace {
 constexpr double kZoomStep = 1.25;
 constexpr double kScrollStep = 0.1; ///< of the span, for one notch or key
 constexpr double kCursorStep = 0.01;
-constexpr double kLeastScroll_px =
-    2.0; ///< of a chart that is drawn again: less is hardly seen, and costs as much
+constexpr double kLeastScroll_px = 2.0; ///< less is hardly seen, and takes as long to draw
 
 } // namespace
 

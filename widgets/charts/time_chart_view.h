@@ -37,8 +37,8 @@ public:
     static constexpr std::array<double, 4> kSpans_s{5.0, 10.0, 30.0, 60.0};
     static constexpr double kLongestSpan_s = 600.0;
 
-    /// Repaints if anything has changed that is seen, at little cost otherwise. While samples go on coming, a
-    /// chart moves by two pixels at least. Call it from the display timer.
+    /// Repaints if anything visible has changed, at little cost otherwise. While samples keep coming, the
+    /// chart scrolls in steps of at least two pixels. Call it from the display timer.
     void refresh();
 
     void setProvenance(base::Provenance provenance);

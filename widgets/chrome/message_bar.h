@@ -36,8 +36,8 @@ struct Message {
 /// until they are closed. A repeated notice is counted instead of added; at most three are shown, older ones
 /// follow when these are closed. Where each corner has a control or a table, the view gives it a strip at its
 /// lower edge as long as there are notices, if it can be made so much lower. Nothing above moves under the
-/// mouse, and it never blocks. When the language changes they
-/// all leave: they are in the old one. All notices are kept in the MessageLog. Thread: GUI.
+/// mouse, and it never blocks. When the language changes all of them leave, since they are in the old one.
+/// All notices are kept in the MessageLog. Thread: GUI.
 class MessageBar : public QWidget {
     Q_OBJECT
 

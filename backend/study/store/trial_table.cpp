@@ -29,7 +29,7 @@ TrialCell numberCell(const std::optional<Number>& value) {
     return value ? numberCell(*value) : TrialCell{};
 }
 
-/// Of trial tables. 1 had no column after app_version, 2 had not the last one.
+/// Of trial tables. Those of schema 1 end with app_version, those of 2 with recording_s.
 constexpr int kTrialSchema = 3;
 
 /// What rows of every table begin with. session: null for a participant as a whole.
