@@ -114,6 +114,7 @@ std::size_t ArmChannel::process() {
         publish(next);
     }
     feedContactsUntil(std::numeric_limits<std::int64_t>::max());
+    device().wakeAtEachSample(m_tellsTorques && m_estimator.isNearlyComplete());
 
     changed = changed || !joints.empty() || !m_contacts.empty();
     if (!joints.empty())

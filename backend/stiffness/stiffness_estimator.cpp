@@ -170,6 +170,39 @@ tl::expected<FittedSlope, Refusal> regressionSlope(std::span<const JointSample> 
     return slope;
 }
 
+/// What every answer begins with.
+struct FittedTouch {
+    TaredTouch tared;
+    OrderedTouch ordered;
+    TouchNoise noise;
+    FittedSlope slope;
+};
+
+tl::expected<FittedTouch, Refusal> fitTouch(std::span<const JointSample> samples,
+                                            const TouchSettings& settings) {
+    if (const std::optional<Refusal> refusal = refuse(samples, settings))
+        return tl::unexpected(*refusal);
+    FittedTouch touch;
+    touch.tared = tare(samples, settings);
+    touch.ordered = orderedTouch(touch.tared.log, settings.window);
+    const auto ramp = touch.ordered.ramp();
+    if (ramp.empty())
+        return tl::unexpected(Refusal::windowNotReached);
+    touch.noise = noiseOf(ramp, settings);
+    tl::expected<FittedSlope, Refusal> slope = settings.method == Method::twoPoint
+                                                   ? twoPointSlope(ramp, settings.window, touch.noise)
+                                                   : regressionSlope(ramp, settings.window, touch.noise);
+    if (!slope)
+        return tl::unexpected(slope.error());
+    touch.slope = std::move(*slope);
+    return touch;
+}
+
+double objectCompliance_mPerN(const FittedSlope& slope, const TouchSettings& settings) {
+    return settings.contactDistance_m * settings.contactDistance_m * slope.value_radPerNm -
+           1.0 / settings.linkStiffness_NPerM;
+}
+
 bool inOneBand(Material material, double lower_NPerM, double upper_NPerM) {
     return classify(lower_NPerM) == material && classify(upper_NPerM) == material;
 }
@@ -225,22 +258,25 @@ bool TouchStiffness::has(TouchWarning warning) const {
     return std::ranges::find(warnings, warning) != warnings.end();
 }
 
+tl::expected<double, Refusal> estimateObjectCompliance(std::span<const JointSample> samples,
+                                                       const TouchSettings& settings) {
+    const tl::expected<FittedTouch, Refusal> fitted = fitTouch(samples, settings);
+    if (!fitted)
+        return tl::unexpected(fitted.error());
+    const double compliance_mPerN = objectCompliance_mPerN(fitted->slope, settings);
+    if (!std::isfinite(compliance_mPerN))
+        return tl::unexpected(Refusal::outOfRange);
+    return compliance_mPerN;
+}
+
 tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSample> samples,
                                                         const TouchSettings& settings) {
-    if (const std::optional<Refusal> refusal = refuse(samples, settings))
-        return tl::unexpected(*refusal);
-    const TaredTouch tared = tare(samples, settings);
-    const OrderedTouch ordered = orderedTouch(tared.log, settings.window);
-    const auto ramp = ordered.ramp();
-    if (ramp.empty())
-        return tl::unexpected(Refusal::windowNotReached);
-    const TouchNoise noise = noiseOf(ramp, settings);
-    const tl::expected<FittedSlope, Refusal> slope = settings.method == Method::twoPoint
-                                                         ? twoPointSlope(ramp, settings.window, noise)
-                                                         : regressionSlope(ramp, settings.window, noise);
-    if (!slope)
-        return tl::unexpected(slope.error());
-    TouchErrors errors(tared, ordered, *slope, noise, settings);
+    const tl::expected<FittedTouch, Refusal> fitted = fitTouch(samples, settings);
+    if (!fitted)
+        return tl::unexpected(fitted.error());
+    const FittedSlope& slope = fitted->slope;
+    const TouchNoise& noise = fitted->noise;
+    TouchErrors errors(fitted->tared, fitted->ordered, slope, noise, settings);
     errors.examine();
 
     const double distance_m = settings.contactDistance_m;
@@ -248,16 +284,16 @@ tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSam
     const double link_NPerM = settings.linkStiffness_NPerM;
     TouchStiffness touch;
     touch.method = settings.method;
-    touch.samples = slope->samples;
-    touch.deltaTorque_Nm = slope->deltaTorque_Nm;
-    touch.deltaTheta_rad = slope->deltaTheta_rad;
-    touch.totalCompliance.value_mPerN = distanceSquared_m2 * slope->value_radPerNm;
-    touch.objectCompliance.value_mPerN = touch.totalCompliance.value_mPerN - 1.0 / link_NPerM;
+    touch.samples = slope.samples;
+    touch.deltaTorque_Nm = slope.deltaTorque_Nm;
+    touch.deltaTheta_rad = slope.deltaTheta_rad;
+    touch.totalCompliance.value_mPerN = distanceSquared_m2 * slope.value_radPerNm;
+    touch.objectCompliance.value_mPerN = objectCompliance_mPerN(slope, settings);
     if (!std::isfinite(touch.objectCompliance.value_mPerN))
         return tl::unexpected(Refusal::outOfRange);
-    if (slope->se_radPerNm) {
-        double quantile95 = slope->quantile95;
-        if (settings.method == Method::regression && slope->samples > 2 &&
+    if (slope.se_radPerNm) {
+        double quantile95 = slope.quantile95;
+        if (settings.method == Method::regression && slope.samples > 2 &&
             (!noise.known || errors.inflation() > 1.0))
             quantile95 = studentQuantile95(std::max(errors.effectiveSamples() - 2.0, 1.0));
         const double distanceSe = settings.contactDistanceSe_m.value_or(kLeastDistanceSe * distance_m);
@@ -285,7 +321,7 @@ tl::expected<TouchStiffness, Refusal> estimateStiffness(std::span<const JointSam
     if (isBelowZero(touch.totalCompliance))
         return tl::unexpected(Refusal::angleOpposesTorque);
     const double counted =
-        errors.explainsResiduals() ? static_cast<double>(slope->samples) : errors.effectiveSamples();
+        errors.explainsResiduals() ? static_cast<double>(slope.samples) : errors.effectiveSamples();
     if (settings.method == Method::regression && counted < kLeastEffectiveSamples)
         return tl::unexpected(Refusal::tooFewSamples);
     touch.stifferThanLink = isBelowZero(touch.objectCompliance);

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] core::BoundedQueue<core::JointSample>& joints() override {
         return m_worker->joints().samples();
     }
+    void wakeAtEachSample(bool each) override { m_worker->joints().wakeAtEachSample(each); }
     [[nodiscard]] core::DeviceStatus status() const override { return m_worker->joints().status(); }
     [[nodiscard]] core::ArmDrive drive() const override { return m_worker->drive().drive(); }
 

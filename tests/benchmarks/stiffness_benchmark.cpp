@@ -98,6 +98,42 @@ void stiffnessEigenSvd(benchmark::State& state) {
     measure(state, [](const auto& log, const SimulatedTouch& world) { return bySvd_NPerM(log, world); });
 }
 
+/// As an arm delivers a touch: a second of free motion at 1 kHz before it.
+SimulatedTouch worldOfAnArm(std::int64_t samplesInWindow) {
+    SimulatedTouch world = worldOf(samplesInWindow);
+    world.freeMotion_s = 1.0;
+    return world;
+}
+
+template <typename Estimate>
+void measureOfAnArm(benchmark::State& state, const Estimate& estimate) {
+    const SimulatedTouch world = worldOfAnArm(state.range(0));
+    const auto touches = touchesOf(world);
+    TouchSettings settings;
+    settings.contactDistance_m = world.contactDistance_m;
+    settings.linkStiffness_NPerM = world.link_NPerM;
+    settings.patternsAreErrors = true;
+    std::size_t next = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(estimate(touches[next], settings));
+        next = (next + 1) % kTouches;
+    }
+}
+
+void touchOfAnArm(benchmark::State& state) {
+    measureOfAnArm(state, [](const auto& log, const TouchSettings& settings) {
+        return estimateStiffness(log, settings).has_value();
+    });
+}
+
+void complianceOfAnArm(benchmark::State& state) {
+    measureOfAnArm(state, [](const auto& log, const TouchSettings& settings) {
+        return estimateObjectCompliance(log, settings).has_value();
+    });
+}
+
+BENCHMARK(touchOfAnArm)->Arg(100)->Arg(1000);
+BENCHMARK(complianceOfAnArm)->Arg(100)->Arg(1000);
 BENCHMARK(stiffnessTwoPoint)->Arg(10)->Arg(50)->Arg(100)->Arg(1000);
 BENCHMARK(stiffnessRegression)->Arg(10)->Arg(50)->Arg(100)->Arg(1000);
 BENCHMARK(stiffnessEigenSvd)->Arg(10)->Arg(50)->Arg(100)->Arg(1000);

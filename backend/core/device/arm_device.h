@@ -144,6 +144,10 @@ public:
     /// Ends the worker and waits for it. Idempotent.
     virtual void stop() = 0;
     [[nodiscard]] virtual BoundedQueue<JointSample>& joints() = 0;
+    /// The consumer waits for something that one of the next samples tells: it is to be notified of each one,
+    /// instead of once a batch. A source whose batches are what it received at once ignores it. Thread: the
+    /// consumer's.
+    virtual void wakeAtEachSample(bool /*each*/) {}
     /// What the sensor of force and torque measures, for the same consumer; null: the arm has none. The
     /// consumer is not notified of them alone.
     [[nodiscard]] virtual BoundedQueue<WrenchSample>* wrenches() { return nullptr; }

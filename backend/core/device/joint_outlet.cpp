@@ -21,7 +21,7 @@ void JointOutlet::deliver(JointSample&& sample, std::optional<std::int64_t> arri
         m_status.lose(1);
     const bool isFirst = m_status.receive(DeviceState::live, time_ns);
     m_status.publish();
-    if (++m_inBatch >= m_batchSamples || isFirst)
+    if (++m_inBatch >= m_batchSamples || isFirst || m_wakesAtEach.load(std::memory_order_relaxed))
         flush();
 }
 

@@ -4,6 +4,7 @@
 #include "backend/core/device/arm_device.h"
 #include "backend/core/device/status_publisher.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,7 +14,8 @@ namespace teleta::core {
 
 /// The worker's end of an arm's joints, as SourceOutlet is for an array: queues samples, counts losses,
 /// publishes the status and wakes the consumer once per batch.
-/// Thread: samples() is drained by one consumer, status() from any; the rest from the worker's.
+/// Thread: samples() is drained by one consumer, status() and wakeAtEachSample() from any; the rest from the
+/// worker's.
 class JointOutlet {
 public:
     JointOutlet(std::size_t queueSamples, std::size_t batchSamples);
@@ -23,6 +25,8 @@ public:
     /// Queues a sample and enters the state live; what a full queue loses is counted. arrived_ns: when it
     /// arrived here; by default when it was read.
     void deliver(JointSample&& sample, std::optional<std::int64_t> arrived_ns = {});
+    /// As core::ArmSource::wakeAtEachSample().
+    void wakeAtEachSample(bool each) { m_wakesAtEach.store(each, std::memory_order_relaxed); }
     /// Counts samples that the device or its link lost.
     void lose(std::uint64_t samples);
     /// Ends a batch early.
@@ -38,6 +42,7 @@ public:
 private:
     BoundedQueue<JointSample> m_samples;
     std::size_t m_batchSamples;
+    std::atomic<bool> m_wakesAtEach{false};
     std::size_t m_inBatch = 0;
     StatusPublisher m_status;
 };

@@ -331,6 +331,10 @@ bool TouchEstimator::isComplete(const JointSample& sample, bool allFree) const {
     return hasPassed(now_s - *m_touch.passed_s, m_settings.elbowWait_s);
 }
 
+bool TouchEstimator::isNearlyComplete() const {
+    return m_touch.stage == Stage::complete || (m_touch.stage == Stage::rising && m_touch.passed_s);
+}
+
 std::optional<TouchRecord> TouchEstimator::update(const SkinContact& contact) {
     if (contact.touching && std::isfinite(contact.x_m) && std::isfinite(contact.y_m) &&
         std::isgreaterequal(contact.force_N, m_settings.leastSkinForce_N)) {
@@ -407,9 +411,14 @@ void TouchEstimator::estimate(const SkinPoint& point, TouchRecord& record) const
         record.refusal = stiffness::Refusal::windowNotReached;
         return;
     }
-    auto stiffness = stiffnessAt(point, std::nullopt);
-    if (stiffness)
-        stiffness = stiffnessAt(point, placeSe_mPerN(stiffness->objectCompliance.value_mPerN));
+    const auto compliance_mPerN = complianceAt(point);
+    if (!compliance_mPerN) {
+        record.refusal = compliance_mPerN.error();
+        return;
+    }
+    stiffness::TouchSettings settings = stiffnessSettings(point);
+    settings.placeSe_mPerN = placeSe_mPerN(*compliance_mPerN);
+    const auto stiffness = stiffness::estimateStiffness(pressingRise(point.depthPerAngle_m()), settings);
     if (!stiffness) {
         record.refusal = stiffness.error();
         return;
@@ -423,12 +432,10 @@ void TouchEstimator::estimate(const SkinPoint& point, TouchRecord& record) const
     record.torque_Nm = m_touch.torque_Nm[m_elbow];
 }
 
-tl::expected<stiffness::TouchStiffness, stiffness::Refusal>
-TouchEstimator::stiffnessAt(const SkinPoint& point, std::optional<double> placeSe_mPerN) const {
+stiffness::TouchSettings TouchEstimator::stiffnessSettings(const SkinPoint& point) const {
     stiffness::TouchSettings settings;
     settings.contactDistance_m = point.lever_m();
     settings.contactDistanceSe_m = m_touch.place->xSe_m;
-    settings.placeSe_mPerN = placeSe_mPerN;
     settings.linkStiffness_NPerM = m_skinAt->linkStiffness_NPerM(point);
     settings.linkStiffnessSe_NPerM = m_skinAt->linkStiffnessSe_NPerM(point);
     settings.window = m_settings.window;
@@ -436,7 +443,12 @@ TouchEstimator::stiffnessAt(const SkinPoint& point, std::optional<double> placeS
     settings.method = m_settings.method;
     settings.torqueNoise_Nm = m_settings.torqueNoise_Nm;
     settings.angleNoise_rad = m_settings.angleNoise_rad;
-    return stiffness::estimateStiffness(pressingRise(point.depthPerAngle_m()), settings);
+    return settings;
+}
+
+tl::expected<double, stiffness::Refusal> TouchEstimator::complianceAt(const SkinPoint& point) const {
+    return stiffness::estimateObjectCompliance(pressingRise(point.depthPerAngle_m()),
+                                               stiffnessSettings(point));
 }
 
 double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
@@ -444,9 +456,8 @@ double TouchEstimator::placeSe_mPerN(double object_mPerN) const {
     double squares = 0.0;
     for (const SkinPoint& moved :
          {locate(place.x_m + place.xSe_m, place.y_m), locate(place.x_m, place.y_m + place.ySe_m)}) {
-        const auto there = stiffnessAt(moved, std::nullopt);
-        if (there)
-            squares += std::pow(there->objectCompliance.value_mPerN - object_mPerN, 2);
+        if (const auto there_mPerN = complianceAt(moved))
+            squares += std::pow(*there_mPerN - object_mPerN, 2);
     }
     return std::sqrt(squares);
 }

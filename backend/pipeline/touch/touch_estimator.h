@@ -119,6 +119,8 @@ public:
     [[nodiscard]] const core::JointVector& reference_Nm() const { return m_reference_Nm; }
     /// What the skin feels now, by the newest joint sample; empty when it feels nothing.
     [[nodiscard]] std::optional<LiveContact> liveContact() const;
+    /// A touch has passed the threshold and is not evaluated yet: one of the next samples completes it.
+    [[nodiscard]] bool isNearlyComplete() const;
 
     [[nodiscard]] std::uint64_t touches() const { return m_touches; } ///< records made
     /// Touches that came into the window but not over the threshold.
@@ -164,8 +166,9 @@ private:
     [[nodiscard]] std::optional<TouchRecord> recordWhenLocated(bool waitNoLonger);
     [[nodiscard]] TouchRecord makeRecord();
     void estimate(const SkinPoint& point, TouchRecord& record) const;
-    [[nodiscard]] tl::expected<stiffness::TouchStiffness, stiffness::Refusal>
-    stiffnessAt(const SkinPoint& point, std::optional<double> placeSe_mPerN) const;
+    /// For a contact at a place of the skin.
+    [[nodiscard]] stiffness::TouchSettings stiffnessSettings(const SkinPoint& point) const;
+    [[nodiscard]] tl::expected<double, stiffness::Refusal> complianceAt(const SkinPoint& point) const;
     /// Of the object's compliance: the samples are evaluated anew at places one standard error away.
     [[nodiscard]] double placeSe_mPerN(double object_mPerN) const;
     void keepFree(const core::JointSample& sample);

@@ -128,6 +128,26 @@ TEST(JointOutlet, wakesTheConsumerWithTheFirstSampleAndThenOncePerBatch) {
     EXPECT_FALSE(consumer.waitFor(0s)) << "there was nothing left";
 }
 
+TEST(JointOutlet, wakesTheConsumerWithEachSampleWhenItIsAskedTo) {
+    JointOutlet outlet(16, 3);
+    Wakeup consumer;
+    outlet.open(consumer, 0);
+    outlet.deliver(sampleAt(10));
+    EXPECT_TRUE(consumer.waitFor(0s));
+    const auto wakes = [&](std::int64_t time_ns) {
+        outlet.deliver(sampleAt(time_ns));
+        return consumer.waitFor(0s);
+    };
+    EXPECT_FALSE(wakes(20));
+    outlet.wakeAtEachSample(true);
+    EXPECT_TRUE(wakes(30)) << "with what waited for its batch";
+    EXPECT_TRUE(wakes(40));
+    outlet.wakeAtEachSample(false);
+    EXPECT_FALSE(wakes(50));
+    EXPECT_FALSE(wakes(60));
+    EXPECT_TRUE(wakes(70));
+}
+
 TEST(JointOutlet, countsWhatAFullQueueLoses) {
     JointOutlet outlet(2, 1);
     Wakeup consumer;

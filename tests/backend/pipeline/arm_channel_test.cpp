@@ -117,6 +117,23 @@ TEST_F(ArmChannelTest, publishesATouchWithEverythingThatIsKnownOfIt) {
     EXPECT_EQ(m_touchChannel->framesProcessed(), 62U);
 }
 
+TEST_F(ArmChannelTest, hearsOfEachSampleWhileATouchIsNearlyComplete) {
+    for (int i = 0; i < 100; ++i)
+        step(0.0);
+    m_channel.process();
+    EXPECT_FALSE(m_source->wakesAtEach);
+    TouchRecord record;
+    bool asked = false;
+    for (int i = 1; i <= 80 && !m_channel.popTouch(record); ++i) {
+        asked = m_source->wakesAtEach;
+        step(0.001 * i);
+        m_channel.process();
+    }
+    EXPECT_EQ(record.number, 1U);
+    EXPECT_TRUE(asked) << "for the sample that completed it";
+    EXPECT_FALSE(m_source->wakesAtEach);
+}
+
 TEST_F(ArmChannelTest, anArmWithoutTorquesFindsWhereItTouches) {
     m_withoutTorques = true;
     for (int i = 0; i < 3; ++i)

@@ -22,6 +22,7 @@ public:
     [[nodiscard]] core::BoundedQueue<core::WrenchSample>* wrenches() override {
         return hasWrench ? &m_wrenches : nullptr;
     }
+    void wakeAtEachSample(bool each) override { wakesAtEach = each; }
     [[nodiscard]] core::DeviceStatus status() const override { return {}; }
     [[nodiscard]] core::ArmDrive drive() const override { return core::ArmDrive::jog; }
     void post(const core::ArmCommand& command) override { commands.push_back(command); }
@@ -40,6 +41,7 @@ public:
     bool push(core::WrenchSample sample) { return m_wrenches.push(std::move(sample)); }
 
     bool hasWrench = false; ///< it has a sensor of force and torque
+    std::atomic<bool> wakesAtEach{false};
     std::atomic<int> starts{0};
     std::atomic<int> stops{0};
     std::vector<core::ArmCommand> commands;

@@ -85,6 +85,26 @@ TEST(StiffnessEstimator, bothMethodsFindTheStiffnessOfACleanRamp) {
     }
 }
 
+TEST(StiffnessEstimator, theComplianceAloneIsThatOfTheWholeAnswer) {
+    SimulatedTouch world;
+    world.freeMotion_s = 1.0;
+    for (const Method method : {Method::twoPoint, Method::regression}) {
+        for (const double object_NPerM : {282.0, 1325.9, 8562.9}) {
+            world.objectCompliance_mPerN = 1.0 / object_NPerM;
+            const std::vector<JointSample> log = world.record(7);
+            const auto touch = estimateStiffness(log, at(world.contactDistance_m, method));
+            const auto compliance_mPerN = estimateObjectCompliance(log, at(world.contactDistance_m, method));
+            ASSERT_TRUE(touch && compliance_mPerN);
+            EXPECT_EQ(*compliance_mPerN, touch->objectCompliance.value_mPerN);
+        }
+    }
+    EXPECT_EQ(estimateObjectCompliance({}, at(0.17)).error(), Refusal::noSamples);
+    EXPECT_EQ(estimateObjectCompliance(cleanRamp(10.0), at(0.0)).error(), Refusal::notPositive);
+    std::vector<JointSample> gentle = cleanRamp(10.0);
+    gentle.resize(30);
+    EXPECT_EQ(estimateObjectCompliance(gentle, at(0.17)).error(), Refusal::windowNotReached);
+}
+
 TEST(StiffnessEstimator, windowIsConfigurable) {
     TouchSettings settings = at(0.17);
     settings.window = {0.01, 0.03};

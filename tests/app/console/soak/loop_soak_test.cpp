@@ -233,6 +233,11 @@ class LoopSoakTest : public QObject {
         if (const auto felt = m_window->bracelet().touchToSkin())
             std::printf("touch to bracelet: p50 %.1f, p99 %.1f ms\n", 1e3 * felt->median_s,
                         1e3 * felt->p99_s);
+        for (const console::TouchReceipt& receipt : m_window->bracelet().receipts())
+            if (receipt.begin_s)
+                std::printf("touch %llu: evaluated after %.2f ms, on the bracelet after %.2f ms\n",
+                            static_cast<unsigned long long>(receipt.sent.touch), 1e3 * receipt.evaluated_s(),
+                            1e3 * *receipt.begin_s);
         std::fflush(stdout);
     }
 
