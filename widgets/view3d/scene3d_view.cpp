@@ -2,24 +2,13 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include "widgets/base/controls/provenance_stripe.h"
-#include "widgets/base/figure/figure_export.h"
-#include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/view3d/marks/scene_marks.h"
 #include "widgets/view3d/mesh/geometry_export.h"
-#include "widgets/view3d/overlay_maker.h"
-#include "widgets/view3d/scene/touch_scene.h"
-#include "widgets/view3d/scene_camera.h"
-#include "widgets/view3d/scene_layers.h"
-#include "widgets/view3d/scene_picker.h"
-#include "widgets/view3d/view_icons.h"
-#include "widgets/view3d/vtk/vtk_widget.h"
+#include "widgets/view3d/scene3d_parts.h"
 
-#include <QActionGroup>
 #include <QEvent>
 #include <QHelpEvent>
-#include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QToolBar>
@@ -29,91 +18,15 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace teleta::view3d {
 
 namespace {
 
-constexpr double kTurnStep_rad = 15.0 * std::numbers::pi / 180.0;
-constexpr double kPanStep = 0.08;
-constexpr double kZoomStep = 1.2;
 constexpr double kPictureScale = 2.0;
-constexpr double kTool_em = 1.25;
-constexpr double kReach_em = 1.2; ///< of what the mouse points at
-
-struct PresetAction {
-    CameraPreset preset;
-    ViewIcon icon;
-    Qt::Key key;
-};
-constexpr std::array<PresetAction, 4> kPresets = {
-    {{CameraPreset::front, ViewIcon::front, Qt::Key_1},
-     {CameraPreset::top, ViewIcon::top, Qt::Key_2},
-     {CameraPreset::side, ViewIcon::side, Qt::Key_3},
-     {CameraPreset::isometric, ViewIcon::isometric, Qt::Key_4}}};
 
 } // namespace
-
-struct Scene3dView::Parts {
-    explicit Parts(Scene3dView* view)
-        : scene(SceneColours(view->palette()))
-        , camera(scene.renderer())
-        , vtk(new VtkWidget(view))
-        , toolBar(new QToolBar(view))
-        , layers(new SceneLayers(view))
-        , figures(view, [this] { return figure(); }) {}
-
-    [[nodiscard]] OverlayContent overlay() {
-        return overlayMaker.make(scene, marks, camera,
-                                 {.font = vtk->font(),
-                                  .provenance = provenance,
-                                  .emptyText = emptyText,
-                                  .shapeLabel = shapeLabel,
-                                  .contactLabels = layers->shows(SceneLayers::contactLabels),
-                                  .grid = layers->shows(SceneLayers::grid),
-                                  .forces = layers->shows(SceneLayers::forces),
-                                  .jointLimits = layers->shows(SceneLayers::jointLimits)});
-    }
-
-    void applyColours(const SceneColours& colours) {
-        scene.applyColours(colours);
-        marks.applyColours(colours);
-    }
-
-    [[nodiscard]] base::Figure figure();
-    [[nodiscard]] PicturePoint pointAt(const QPointF& position) const {
-        return {position, vtk->size(), kReach_em * vtk->fontMetrics().height()};
-    }
-
-    TouchScene scene;
-    SceneMarks marks{scene};
-    SceneCamera camera;
-    OverlayMaker overlayMaker;
-    vtkNew<OrbitStyle> style;
-    VtkWidget* vtk;
-    QToolBar* toolBar;
-    SceneLayers* layers;
-    base::FigureExport figures;
-
-    base::Provenance provenance = base::Provenance::live;
-    QString emptyText;
-    QString shapeLabel;
-    double lastTime_s = 0.0;
-
-    QActionGroup* surfaces = nullptr;
-    QAction* plate = nullptr;
-    QAction* cylinder = nullptr;
-    QList<QAction*> presets;
-    QAction* reset = nullptr;
-    QAction* follow = nullptr;
-    QAction* onHand = nullptr;
-    QAction* parallel = nullptr;
-    QAction* copyPicture = nullptr;
-    QAction* saveGeometry = nullptr;
-};
 
 base::Figure Scene3dView::Parts::figure() {
     // For paper, the scene is drawn once in light colours.
@@ -173,7 +86,7 @@ Scene3dView::Scene3dView(QWidget* parent)
     base::onChange(this, &Scene3dView::applyPalette, {QEvent::PaletteChange});
     base::onChange(this,
                    [this] {
-                       m_parts->toolBar->setIconSize(QSize(1, 1) * base::em(this, kTool_em));
+                       m_parts->toolBar->setIconSize(QSize(1, 1) * base::em(this, Parts::kTool_em));
                        m_parts->vtk->requestRender();
                    },
                    {QEvent::FontChange});
@@ -186,119 +99,6 @@ Scene3dView::~Scene3dView() {
     m_parts->vtk->setOverlay({});
     m_parts->vtk->renderWindow()->RemoveRenderer(m_parts->scene.renderer());
     delete m_parts->vtk;
-}
-
-void Scene3dView::makeActions() {
-    Parts& parts = *m_parts;
-    const auto make = [this](ViewIcon icon, const QList<QKeySequence>& keys, bool checkable) {
-        auto* action = new QAction(viewIcon(icon), {}, this);
-        action->setShortcuts(keys);
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        action->setCheckable(checkable);
-        addAction(action);
-        return action;
-    };
-    parts.surfaces = new QActionGroup(this);
-    parts.plate = make(ViewIcon::plate, {}, true);
-    parts.cylinder = make(ViewIcon::cylinder, {}, true);
-    parts.surfaces->addAction(parts.plate);
-    parts.surfaces->addAction(parts.cylinder);
-    parts.plate->setChecked(true);
-    connect(parts.plate, &QAction::triggered, this, [this] { setSurface(Surface::plate); });
-    connect(parts.cylinder, &QAction::triggered, this, [this] { setSurface(Surface::cylinder); });
-    for (const PresetAction& preset : kPresets) {
-        parts.presets << make(preset.icon, {QKeySequence(preset.key)}, false);
-        connect(parts.presets.back(), &QAction::triggered, this, [this, preset] { look(preset.preset); });
-    }
-    parts.reset = make(ViewIcon::reset, {QKeySequence(Qt::Key_Home), QKeySequence(Qt::Key_R)}, false);
-    connect(parts.reset, &QAction::triggered, this, &Scene3dView::resetView);
-    parts.follow = make(ViewIcon::follow, {QKeySequence(Qt::Key_F)}, true);
-    parts.follow->setObjectName(QStringLiteral("follow"));
-    parts.onHand = make(ViewIcon::onHand, {QKeySequence(Qt::Key_6)}, true);
-    parts.onHand->setObjectName(QStringLiteral("onHand"));
-    connect(parts.onHand, &QAction::toggled, this, [this](bool on) {
-        if (on)
-            sceneMoved(false);
-        else if (m_parts->camera.isOnHand())
-            resetView();
-    });
-    parts.parallel = make(ViewIcon::parallel, {QKeySequence(Qt::Key_5)}, true);
-    parts.parallel->setObjectName(QStringLiteral("parallel"));
-    connect(parts.parallel, &QAction::toggled, this, [this](bool on) { m_parts->camera.setParallel(on); });
-    connect(parts.layers, &SceneLayers::changed, this, &Scene3dView::showLayers);
-    connect(parts.layers, &SceneLayers::changed, this, &Scene3dView::layersChanged);
-    parts.copyPicture = new QAction(this);
-    parts.copyPicture->setShortcut(QKeySequence::Copy);
-    parts.copyPicture->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(parts.copyPicture);
-    connect(parts.copyPicture, &QAction::triggered, this, [this] { base::copyPicture(m_parts->figure()); });
-    parts.saveGeometry = make(ViewIcon::geometry, {}, false);
-    connect(parts.saveGeometry, &QAction::triggered, this, &Scene3dView::askForGeometryFile);
-}
-
-void Scene3dView::makeToolBar() {
-    Parts& parts = *m_parts;
-    parts.toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    parts.toolBar->setIconSize(QSize(1, 1) * base::em(this, kTool_em));
-    parts.toolBar->addActions({parts.plate, parts.cylinder});
-    parts.toolBar->addSeparator();
-    parts.toolBar->addActions(parts.presets);
-    parts.toolBar->addAction(parts.reset);
-    parts.toolBar->addSeparator();
-    parts.toolBar->addActions({parts.follow, parts.onHand, parts.parallel});
-    parts.toolBar->addSeparator();
-    for (const SceneLayers::Layer layer : {SceneLayers::grid, SceneLayers::axes, SceneLayers::displacement})
-        parts.toolBar->addAction(parts.layers->action(layer));
-}
-
-void Scene3dView::retranslate() {
-    Parts& parts = *m_parts;
-    const auto name = [](QAction* action, const QString& text, const QString& help) {
-        action->setText(text);
-        const QString key = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(key.isEmpty() ? help : tr("%1 (%2)").arg(help, key));
-        action->setWhatsThis(help);
-    };
-    name(parts.plate, tr("Flat array"), tr("Show the array flat, as it is"));
-    name(parts.cylinder, tr("Wrapped on the cylinder"), tr("Wrap the array around the tactile cylinder"));
-    name(parts.presets[0], tr("Front"), tr("Look from the front"));
-    name(parts.presets[1], tr("Top"), tr("Look from above"));
-    name(parts.presets[2], tr("Side"), tr("Look from the right"));
-    name(parts.presets[3], tr("Isometric"), tr("Look from a corner"));
-    name(parts.reset, tr("Show all"), tr("Back to the initial view: everything from a corner"));
-    name(parts.follow, tr("Follow contact"),
-         tr("Keep the strongest contact in the middle, or the arm's hand while nothing is touched"));
-    name(parts.onHand, tr("From the hand"),
-         tr("Look along with the tactile array: the camera moves and turns with the hand that carries it"));
-    name(parts.parallel, tr("Orthographic"), tr("Parallel lines stay parallel: no perspective"));
-    parts.layers->retranslate();
-    name(parts.copyPicture, tr("Copy picture"), tr("Copy the picture"));
-    name(parts.saveGeometry, tr("Export geometry…"), tr("Save the scene for other programs: VTP, PLY, STL"));
-    parts.toolBar->setAccessibleName(tr("3-D view"));
-    parts.vtk->setAccessibleName(tr("Touch in 3-D"));
-    if (QWidget* canvas = parts.vtk->focusProxy())
-        canvas->setAccessibleName(parts.vtk->accessibleName());
-    parts.vtk->setWhatsThis(
-        tr("The tactile array with its loads as heights and colours, contacts with force "
-           "arrows, the arm and the explored contour. Drag with the left button to turn, with "
-           "the middle button to move, turn the wheel to zoom."));
-    parts.emptyText = tr("No touch to show yet.");
-    parts.vtk->requestRender();
-}
-
-void Scene3dView::fillMenu(QMenu& menu) {
-    Parts& parts = *m_parts;
-    menu.addActions(parts.presets);
-    menu.addAction(parts.reset);
-    menu.addSeparator();
-    menu.addActions({parts.plate, parts.cylinder});
-    menu.addSeparator();
-    menu.addActions({parts.follow, parts.onHand, parts.parallel});
-    menu.addSeparator();
-    menu.addActions(parts.layers->actions());
-    menu.addSeparator();
-    parts.figures.addActions(menu);
-    menu.addAction(parts.saveGeometry);
 }
 
 void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
@@ -317,8 +117,10 @@ void Scene3dView::setSnapshot(const pipeline::TouchSnapshot& snapshot) {
 
 void Scene3dView::refresh() {
     Parts& parts = *m_parts;
-    if (parts.scene.draw())
+    if (parts.scene.draw()) {
         sceneMoved(true);
+        parts.vtk->requestRender();
+    }
     const auto& contacts = parts.scene.marks();
     const double time_s = parts.scene.snapshot().sourceTime_s;
     if (parts.follow->isChecked() && (!contacts.empty() || !armBox_m().isEmpty())) { // else the hand
@@ -326,7 +128,7 @@ void Scene3dView::refresh() {
         parts.camera.follow(parts.scene.toWorld(p), time_s - parts.lastTime_s);
     }
     parts.lastTime_s = time_s;
-    parts.vtk->requestRender();
+    parts.dataChanged();
 }
 
 void Scene3dView::sceneMoved(bool refit) {
@@ -337,12 +139,14 @@ void Scene3dView::sceneMoved(bool refit) {
     m_parts->camera.setScene(std::move(corners), refit);
     if (m_parts->onHand->isChecked())
         m_parts->camera.standOnHand(sensorPose(), m_parts->scene.sensorSize().radius_m());
+    m_parts->dataChanged();
 }
 
 void Scene3dView::clear() {
     if (m_parts->scene.hasSensor()) {
         m_parts->scene.clear();
         sceneMoved(true);
+        m_parts->vtk->requestRender();
     }
 }
 
@@ -394,12 +198,14 @@ void Scene3dView::setContour(std::span<const Eigen::Vector3d> points_m,
     m_parts->shapeLabel = label;
     m_parts->scene.setContour(points_m, curve_m, vertices_m);
     sceneMoved(wasEmpty != m_parts->scene.contourBox_m().isEmpty());
+    m_parts->vtk->requestRender();
 }
 
 void Scene3dView::setObjects(std::span<const DrawnObject> objects) {
     const bool wasEmpty = m_parts->scene.objects().objects().empty();
     m_parts->scene.setObjects(objects);
     sceneMoved(wasEmpty != m_parts->scene.objects().objects().empty());
+    m_parts->vtk->requestRender();
 }
 
 void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
@@ -411,6 +217,7 @@ void Scene3dView::setArmLinks(std::span<const ArmLink> links) {
 void Scene3dView::setRobot(std::shared_ptr<const RobotShape> shape) {
     m_parts->scene.setRobot(std::move(shape));
     sceneMoved(false);
+    m_parts->vtk->requestRender();
 }
 
 void Scene3dView::setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
@@ -421,19 +228,18 @@ void Scene3dView::setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
 
 void Scene3dView::setTip(const Eigen::Vector3d& p_World_m, double time_s) {
     if (m_parts->marks.trail.add(p_World_m, time_s))
-        m_parts->vtk->requestRender();
+        m_parts->dataChanged();
 }
 
 void Scene3dView::setJoints(std::span<const JointDial> dials) {
     if (m_parts->marks.limits.set(dials))
-        m_parts->vtk->requestRender();
+        m_parts->dataChanged();
 }
 
 void Scene3dView::setForce(const std::optional<DrawnForce>& force) {
-    if (force || this->force())
-        m_parts->vtk->requestRender();
     m_parts->marks.wrench.setForce(force);
     m_parts->scene.setForce(force);
+    m_parts->dataChanged();
 }
 
 const std::optional<DrawnForce>& Scene3dView::force() const {
@@ -441,8 +247,10 @@ const std::optional<DrawnForce>& Scene3dView::force() const {
 }
 
 void Scene3dView::setScenery(std::span<const SceneryItem> items) {
-    if (m_parts->marks.scenery.set(items))
-        sceneMoved(false);
+    if (!m_parts->marks.scenery.set(items))
+        return;
+    sceneMoved(false);
+    m_parts->vtk->requestRender();
 }
 
 const std::vector<SceneryItem>& Scene3dView::scenery() const {
@@ -523,20 +331,6 @@ core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {
     return exportGeometry(m_parts->scene.worldMeshes(), path);
 }
 
-void Scene3dView::askForGeometryFile() {
-    base::askToSave(this,
-                    {.title = tr("Export geometry (in mm)"),
-                     .filters = {tr("VTK, with colours and lines (*.vtp)"),
-                                 tr("Triangles with colours (*.ply)"), tr("Triangles (*.stl)")},
-                     .suffix = QStringLiteral("vtp")},
-                    [this](const QString& path) {
-                        if (const auto written = saveGeometry(path))
-                            emit saved(path);
-                        else
-                            emit failed(QString::fromStdString(core::describe(written.error())));
-                    });
-}
-
 bool Scene3dView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
@@ -563,37 +357,6 @@ void Scene3dView::resizeEvent(QResizeEvent* event) {
     layout()->activate();
     if (!m_parts->vtk->size().isEmpty())
         m_parts->camera.setAspect(static_cast<double>(m_parts->vtk->width()) / m_parts->vtk->height());
-}
-
-void Scene3dView::keyPressEvent(QKeyEvent* event) {
-    SceneCamera& camera = m_parts->camera;
-    const bool move = event->modifiers().testFlag(Qt::ShiftModifier);
-    const auto step = [&](double right, double up) {
-        move ? camera.pan(kPanStep * right, kPanStep * up)
-             : camera.turn(-kTurnStep_rad * right, -kTurnStep_rad * up);
-    };
-    switch (event->key()) {
-    case Qt::Key_Left:
-        step(-1.0, 0.0);
-        break;
-    case Qt::Key_Right:
-        step(1.0, 0.0);
-        break;
-    case Qt::Key_Up:
-        step(0.0, 1.0);
-        break;
-    case Qt::Key_Down:
-        step(0.0, -1.0);
-        break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-    case Qt::Key_Minus:
-        camera.zoom(event->key() == Qt::Key_Minus ? 1.0 / kZoomStep : kZoomStep);
-        break;
-    default:
-        return QWidget::keyPressEvent(event);
-    }
-    event->accept();
 }
 
 } // namespace teleta::view3d

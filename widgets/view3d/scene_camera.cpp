@@ -182,8 +182,10 @@ void SceneCamera::apply() {
         radius_m = std::max(radius_m, (corner - focal_m).norm());
     const double far_m = m_distance_m + 4.0 * radius_m;
     camera->SetClippingRange(std::max(m_distance_m - 4.0 * radius_m, kNearest * far_m), far_m);
-    if (m_changed)
-        m_changed();
+    const Standing standing{focal_m, position_m, up, visibleHeight_m(), m_parallel};
+    if (standing == std::exchange(m_standing, standing) || !m_changed)
+        return;
+    m_changed();
 }
 
 vtkStandardNewMacro(OrbitStyle);

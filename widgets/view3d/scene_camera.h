@@ -25,7 +25,7 @@ class SceneCamera {
 public:
     explicit SceneCamera(vtkRenderer* renderer);
 
-    /// Called after every change.
+    /// Called after every change of what it sees.
     void onChange(std::function<void()> changed) { m_changed = std::move(changed); }
 
     /// Corners that must be visible. refit: fits the camera again, unless the user moved it.
@@ -62,6 +62,17 @@ public:
     [[nodiscard]] double visibleHeight_m() const;
 
 private:
+    /// What decides what the camera sees, in the world.
+    struct Standing {
+        Eigen::Vector3d focal_m = Eigen::Vector3d::Zero();
+        Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+        Eigen::Vector3d up = Eigen::Vector3d::Zero();
+        double visibleHeight_m = 0.0;
+        bool parallel = false;
+
+        bool operator==(const Standing&) const = default;
+    };
+
     /// refit: fits the camera again, unless the user moved it.
     void update(bool refit);
     void fit();
@@ -85,6 +96,7 @@ private:
     double m_aspect = 1.0;
     bool m_parallel = false;
     bool m_fitted = true;
+    Standing m_standing;
 };
 
 /// Mouse: left turns, middle or Shift+left moves, right or wheel zooms.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/view3d/scene3d_stage.h"
 #include "tests/widgets/view3d/touch_examples.h"
+#include "widgets/view3d/change_watch.h"
 #include "widgets/view3d/scene3d_view.h"
 #include "widgets/view3d/vtk/vtk_widget.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <vtkCamera.h>
@@ -62,6 +64,49 @@ private slots:
             stage.view.setSnapshot(test::pressed(kLayout, {}, frame));
         const Eigen::Vector3d there(rendererOf(stage.view)->GetActiveCamera()->GetFocalPoint());
         QVERIFY2((there - kHand_m).norm() < 0.01, qPrintable(QString::number(there.z())));
+    }
+
+    void anArmThatCreepsIsDrawnLessOften() {
+        view3d::MovingView view{{}, 500.0};
+        view.state.points_m.push_back(kHand_m);
+        Eigen::Vector3d& hand_m = view.state.points_m[0];
+        int asked = 0;
+        view3d::ChangeWatch watch([&view] { return view; }, [&asked] { ++asked; });
+        const auto move = [&](double way_m) {
+            hand_m.x() += way_m;
+            watch.dataChanged();
+        };
+        move(0.0);
+        QTRY_COMPARE(asked, 1);
+
+        QElapsedTimer running;
+        running.start();
+        for (int step = 0; step < 1000; ++step) {
+            move(1e-9);
+            QCoreApplication::processEvents();
+        }
+        QVERIFY(asked <= 2 + running.elapsed() / view3d::ChangeWatch::kLongest_ms);
+        const int before = asked;
+        move(1e-9);
+        QTRY_VERIFY(asked > before); // where it is in the end is drawn
+        for (int step = 1; step <= 20; ++step) {
+            const int rest = asked;
+            move(0.01); // 5 px
+            QTRY_COMPARE(asked, rest + 1);
+        }
+    }
+
+    void anArmThatMovesIsDrawn() {
+        Stage stage;
+        QVERIFY(stage.ready());
+        giveArm(stage.view);
+        stage.settle();
+        const std::uint64_t before = vtkOf(stage.view).framesRendered();
+        Eigen::Isometry3d hand = stage.view.sensorPose();
+        hand.translation().x() += 0.05;
+        stage.view.setSensorPose(hand);
+        stage.view.setSnapshot(test::pressed(kLayout, {}, 1));
+        QTRY_VERIFY(vtkOf(stage.view).framesRendered() > before);
     }
 
     void anotherSourceIsSeenWholeWhateverWasFollowed_data() {

@@ -21,6 +21,7 @@ public:
     /// time_s: of the arm. Returns whether the picture changes. Many places may come for one picture.
     bool add(const Eigen::Vector3d& p_World_m, double time_s);
     void clear();
+    [[nodiscard]] const Trail& trail() const { return m_trail; }
     /// Makes what is drawn anew, if it is shown and changed.
     void draw();
 

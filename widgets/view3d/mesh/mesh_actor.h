@@ -14,6 +14,14 @@
 namespace teleta::view3d {
 
 /// Copies a transform to VTK's own type.
+[[nodiscard]] inline Eigen::Isometry3d isometryOf(const vtkMatrix4x4& matrix) {
+    Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            transform(row, column) = matrix.GetElement(row, column);
+    return transform;
+}
+
 inline void setMatrix(vtkMatrix4x4& matrix, const Eigen::Isometry3d& transform) {
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)

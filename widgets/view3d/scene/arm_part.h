@@ -23,6 +23,7 @@ public:
     void applyColours(const SceneColours& colours);
 
     void set(std::span<const ArmLink> links);
+    [[nodiscard]] const std::vector<ArmLink>& links() const { return m_links; }
     /// Whether the arm itself is drawn, or its shadow alone, where something else draws the arm.
     void setShellsShown(bool shown);
     /// Height of the ground, m; NaN: there is none, and neither base nor shadow.

@@ -45,6 +45,17 @@ public:
                 take(link->mesh.data(), link->pose.Get());
     }
 
+    /// Calls it with the pose of each link that has a mesh, and with those of the ghost.
+    template <typename Take>
+    void forEachPose(const Take& take) const {
+        for (const auto& link : m_links) {
+            if (m_shown)
+                take(isometryOf(*link->pose));
+            if (m_ghostShown)
+                take(isometryOf(*link->ghostPose));
+        }
+    }
+
 private:
     /// A link with triangles.
     struct Link {

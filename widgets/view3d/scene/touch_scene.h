@@ -61,6 +61,7 @@ public:
     /// Where its links are, and where they are told to be (empty: there).
     void setRobotPoses(std::span<const Eigen::Isometry3d> X_World_Link,
                        std::span<const Eigen::Isometry3d> commanded);
+    [[nodiscard]] std::span<const ArmLink> armLinks() const { return m_arm.links(); }
     [[nodiscard]] const RobotPart& robot() const { return m_robot; }
     void setGridShown(bool shown) { m_ground.setVisible(shown); }
     void setAxesShown(bool shown);
@@ -108,6 +109,8 @@ public:
     [[nodiscard]] Eigen::Vector3d toWorld(const Eigen::Vector3d& p_Sensor) const {
         return m_X_World_Sensor * p_Sensor;
     }
+    /// Of loadRange_N(), of each cell as it was drawn last; NaN: dead.
+    [[nodiscard]] std::span<const float> loadShares() const { return m_cell_N; }
     /// Load of the full height and the last colour, in the snapshot's unit.
     [[nodiscard]] double loadRange_N() const { return m_loadRange.high(); }
     /// Force of the longest arrow.

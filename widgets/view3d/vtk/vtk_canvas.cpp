@@ -56,7 +56,7 @@ VtkCanvas::~VtkCanvas() {
 }
 
 void VtkCanvas::requestRender() {
-    m_stale = true;
+    m_stale = m_changed = true;
     // An invisible view does not wait for a turn: it is repainted when it appears.
     if (!visibleRegion().isEmpty())
         RenderQueue::instance().ask(*this);
@@ -70,7 +70,7 @@ void VtkCanvas::setDeviceSize(const QSize& size, double pixelScale) {
     if (size == m_size && pixelScale == m_pixelScale)
         return;
     m_size = size;
-    m_stale = true;
+    m_stale = m_changed = true;
     m_drawing = false; // of another size
     m_quality.restart();
     m_window->setQuality(m_quality.level());
@@ -117,7 +117,7 @@ void VtkCanvas::turnHasCome() {
 
 void VtkCanvas::beginFrame() {
     m_begun_ns = core::steadyNow_ns();
-    m_stale = false;
+    m_stale = m_changed = false;
     m_drawing = true;
     m_window->renderGuarded();
 }
@@ -163,7 +163,7 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
     setDeviceSize(device, devicePixelRatio());
     const bool fits = m_frame.size() == device && m_frame.devicePixelRatio() == m_pixelScale;
     if (!paintsOnScreen()) {
-        if (!fits || m_stale || !m_isFine)
+        if (!fits || m_changed || !m_isFine)
             m_frame = finePicture();
     } else if (!fits) {
         if (m_stale)
@@ -184,15 +184,15 @@ void VtkCanvas::paintEvent(QPaintEvent* /*event*/) {
 }
 
 QImage VtkCanvas::finePicture() {
-    m_framesRendered += m_stale || m_drawing ? 1 : 0; // not for another picture of the same scene
-    m_drawing = false;                                // the window now draws another picture
+    m_framesRendered += m_changed || m_drawing ? 1 : 0; // not for another picture of the same scene
+    m_drawing = false;                                  // the window now draws another picture
     const int samples = m_window->GetMultiSamples();
     m_window->setQuality(FrameQuality::Level::plain);
     m_window->SetMultiSamples(GuestRenderWindow::kSamples); // a picture may take longer
     m_window->renderGuarded();
     QImage image = m_window->frame();
     image.setDevicePixelRatio(m_pixelScale);
-    m_stale = false;
+    m_stale = m_changed = false;
     m_isFine = true;
     m_window->SetMultiSamples(samples);
     m_window->setQuality(m_quality.level());

@@ -124,6 +124,11 @@ void VtkWidget::requestRender() {
         m_parts->canvas->requestRender();
 }
 
+void VtkWidget::noteChange() {
+    if (m_parts->canvas != nullptr)
+        m_parts->canvas->noteChange();
+}
+
 void VtkWidget::setOverlay(Overlay overlay) {
     if (m_parts->canvas != nullptr)
         m_parts->canvas->setOverlay(std::move(overlay));

@@ -38,6 +38,9 @@ public:
 
     /// Draws the scene soon; views take turns (RenderTurns), and several calls make one frame.
     void requestRender();
+    /// The scene has changed by what cannot be seen on the screen: pictures of it show that, and the next
+    /// frame.
+    void noteChange();
     void setOverlay(Overlay overlay);
     enum class PictureOverlay { with, without };
     /// The scene at `scale` (> 0) times the device pixels shown, limited by the driver. Null if nothing can

@@ -35,7 +35,7 @@ std::string bytesText(const taxels::TaxelsProbe& probe) {
         begins.insert(frame.begin);
     std::string text;
     for (std::size_t line = 0; line < probe.bytes.size(); line += kBytesInLine) {
-        std::array<char, 16> place{};
+        std::array<char, 24> place{};
         std::snprintf(place.data(), place.size(), "%06zx ", line);
         std::string bytes = place.data();
         std::string letters;
