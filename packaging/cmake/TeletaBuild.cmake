@@ -49,6 +49,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     # GCC warns falsely where a std::string is assigned (bug 105329).
     target_compile_options(teleta_options INTERFACE -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC looks for garbage again and again from 128 MB on, which takes a tenth of its time.
+    target_compile_options(teleta_options INTERFACE "SHELL:--param ggc-min-heapsize=524288")
+endif()
 target_link_libraries(teleta_options INTERFACE Threads::Threads)
 if(TELETA_WERROR)
     target_compile_options(teleta_options INTERFACE -Werror)
@@ -197,13 +201,30 @@ function(teleta_add_modules)
     endforeach()
 endfunction()
 
-# A unity build also reads Qt's headers only once for the GUI, which halves its time, and those of GoogleTest for the tests.
+# What takes the time of the programs is in the backend and the devices, which have -O3. The rest is compiled more quickly.
+add_library(teleta_gui_options INTERFACE)
+add_library(teleta_quick_options INTERFACE)
+if(NOT TELETA_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(teleta_gui_options INTERFACE $<$<CONFIG:Release>:-O2>)
+    # With -O1, GCC finds errors in the standard library and in Qt that are not there.
+    target_compile_options(
+        teleta_quick_options INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1> -Wno-null-dereference -Wno-array-bounds
+                                       -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized
+                                       -Wno-free-nonheap-object)
+endif()
+
+# A unity build also reads large headers only once: Qt's for the GUI, which halves its time, those of the command line, and of
+# GoogleTest for the tests. For the backend that would save little, and GCC then finds errors in the standard library.
 if(TELETA_UNITY)
     file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/precompiled.cpp" CONTENT "")
+    add_library(teleta_precompiled_cli OBJECT "${CMAKE_BINARY_DIR}/precompiled.cpp")
+    target_link_libraries(teleta_precompiled_cli PRIVATE teleta_options CLI11::CLI11 Qt6::Core teleta_quick_options)
+    target_precompile_headers(teleta_precompiled_cli PRIVATE <CLI/CLI.hpp> <QtCore/QCoreApplication> <QtCore/QFileInfo> <algorithm>
+                              <array> <functional> <map> <memory> <optional> <span> <string> <vector>)
 endif()
 if(TELETA_GUI AND TELETA_UNITY)
     add_library(teleta_precompiled_gui OBJECT "${CMAKE_BINARY_DIR}/precompiled.cpp")
-    target_link_libraries(teleta_precompiled_gui PRIVATE teleta_options Qt6::Widgets)
+    target_link_libraries(teleta_precompiled_gui PRIVATE teleta_options Qt6::Widgets teleta_gui_options)
     target_precompile_headers(teleta_precompiled_gui PRIVATE <QtWidgets/QtWidgets> <algorithm> <array> <functional> <map> <memory>
                               <optional> <string> <vector>)
 endif()
@@ -213,17 +234,11 @@ endif()
 # Linked last, so that its options count.
 add_library(teleta_test_options INTERFACE)
 target_compile_options(teleta_test_options INTERFACE -fPIC)
+target_link_libraries(teleta_test_options INTERFACE teleta_quick_options)
 # Tests are many, and GNU's linker takes some seconds for each of those with a window.
 find_program(TELETA_LLD ld.lld)
 if(TELETA_LLD)
     target_link_options(teleta_test_options INTERFACE -fuse-ld=lld)
-endif()
-if(NOT TELETA_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # With it, GCC finds errors in the standard library and in Qt that are not there.
-    target_compile_options(
-        teleta_test_options INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-O1> -Wno-null-dereference -Wno-array-bounds
-                                      -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized
-                                      -Wno-free-nonheap-object)
 endif()
 if(TELETA_TESTS AND TELETA_UNITY AND NOT TELETA_SANITIZE)
     find_package(GTest REQUIRED)
@@ -233,10 +248,11 @@ if(TELETA_TESTS AND TELETA_UNITY AND NOT TELETA_SANITIZE)
                               <functional> <map> <memory> <optional> <sstream> <string> <thread> <variant> <vector>)
 endif()
 
-# teleta_use_precompiled(TARGET): for a target that links Qt6::Widgets and has no precompiled headers of its own.
-function(teleta_use_precompiled name)
-    if(TARGET teleta_precompiled_gui)
-        target_precompile_headers(${name} REUSE_FROM teleta_precompiled_gui)
+# teleta_use_precompiled(TARGET cli|gui): for a target that has no precompiled headers of its own; cli: one that links
+# CLI11 and Qt6::Core, gui: Qt6::Widgets.
+function(teleta_use_precompiled name kind)
+    if(TARGET teleta_precompiled_${kind})
+        target_precompile_headers(${name} REUSE_FROM teleta_precompiled_${kind})
     endif()
 endfunction()
 
@@ -252,6 +268,31 @@ function(teleta_links_widgets used libraries variable)
     set(${variable} ${result} PARENT_SCOPE)
 endfunction()
 
+# teleta_moc(TARGET a.cpp a.h ...)
+# Runs moc on all headers among these, and compiles what it makes as one source. AUTOMOC takes many times as long, because it
+# and moc read every header that is included, too, and because it keeps what it makes out of a unity build.
+function(teleta_moc name)
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/moc")
+    set(made "")
+    set(includes "")
+    foreach(source IN LISTS ARGN)
+        if(source MATCHES "\\.h$")
+            get_filename_component(stem "${source}" NAME_WLE)
+            add_custom_command(
+                OUTPUT "${folder}/moc_${stem}.cpp"
+                COMMAND Qt6::moc --no-notes -o "${folder}/moc_${stem}.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
+                DEPENDS "${source}"
+                VERBATIM)
+            list(APPEND made "${folder}/moc_${stem}.cpp")
+            string(APPEND includes "#include \"moc/moc_${stem}.cpp\"\n")
+        endif()
+    endforeach()
+    file(MAKE_DIRECTORY "${folder}")
+    file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp" CONTENT "${includes}" @ONLY)
+    set_source_files_properties(${made} PROPERTIES HEADER_FILE_ONLY ON)
+    target_sources(${name} PRIVATE ${made} "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp")
+endfunction()
+
 # teleta_library(SOURCES a.cpp a.h ...)
 # The static library of this folder. The module graph says what it links.
 function(teleta_library)
@@ -264,16 +305,20 @@ function(teleta_library)
         add_library(${name} STATIC ${ARG_SOURCES})
         set(access PUBLIC)
         # Most of the compiler's time goes into headers: a unity build reads them once for several sources.
-        set_target_properties(${name} PROPERTIES UNITY_BUILD ${TELETA_UNITY} UNITY_BUILD_BATCH_SIZE 20)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ${TELETA_UNITY} UNITY_BUILD_BATCH_SIZE 24)
         if(folder MATCHES "^(widgets|app/console)(/|$)")
-            set_target_properties(${name} PROPERTIES AUTOMOC ON)
+            teleta_moc(${name} ${ARG_SOURCES})
             teleta_links_widgets("${used}" "${libraries}" links)
             if(links)
                 set_property(GLOBAL APPEND PROPERTY teleta_with_widgets ${name})
-                if(NOT teleta_vtk IN_LIST libraries)
-                    teleta_use_precompiled(${name})
-                endif()
             endif()
+            if(links AND NOT teleta_vtk IN_LIST libraries)
+                teleta_use_precompiled(${name} gui)
+            endif()
+            target_link_libraries(${name} PRIVATE teleta_gui_options)
+        elseif(folder MATCHES "^app/cli(/|$)")
+            teleta_use_precompiled(${name} cli)
+            target_link_libraries(${name} PRIVATE teleta_quick_options)
         endif()
         if(folder MATCHES "^app/python/")
             # Fewer sources at once: each takes long, and their types are hidden as those of pybind11 are.
@@ -401,7 +446,7 @@ function(teleta_gui_test name)
         endif()
     endforeach()
     target_include_directories(${name} PRIVATE "${moc_folder}")
-    teleta_use_precompiled(${name})
+    teleta_use_precompiled(${name} gui)
     target_link_libraries(${name} PRIVATE teleta_options ${ARG_DEPENDS} Qt6::Test teleta_test_options)
     target_compile_definitions(${name} PRIVATE TELETA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     if(ARG_LABEL STREQUAL "gl")
