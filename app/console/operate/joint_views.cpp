@@ -73,6 +73,10 @@ void JointViews::addTo(OperateDocks& docks) {
     docks.addScrolling(OperateDocks::jog, both);
 }
 
+void JointViews::setCompact(bool low, bool narrow) {
+    m_jog->setCompact(low, narrow);
+}
+
 void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Provenance provenance) {
     // While m_arm is the arm that is moved: the zero that ends it is not for the next one.
     m_jog->letGo();

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const std::shared_ptr<pipeline::JointChannel>& arm() const { return m_arm; }
     /// Motion of a 3D mouse, and a line about its state.
     void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);
+    /// See JogPanel::setCompact().
+    void setCompact(bool low, bool narrow);
     /// The arm is no longer moved by hand; what is held counts again once it was let go.
     void letGo();
     /// Where a shadow of the arm is, which is drawn in place of the ghost at the commanded position; empty:

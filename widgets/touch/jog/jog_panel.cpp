@@ -37,6 +37,9 @@ namespace {
 constexpr std::size_t kUsualJoints = 4;
 constexpr int kFirstSpeed_percent = 20;
 constexpr double kTouchTarget_em = 2.2;
+constexpr double kLowTarget_em = 1.8;
+constexpr double kDirection_em = 3.4; ///< width
+constexpr double kNarrowDirection_em = 2.4;
 
 constexpr Qt::KeyboardModifiers kShortcutModifiers = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
 
@@ -77,8 +80,6 @@ JogPanel::JogPanel(QWidget* parent)
     m_speed->setValue(kFirstSpeed_percent);
     m_speedLabel->setBuddy(m_speed);
     m_speedText->setMinimumWidth(base::em(this, 4.0));
-    m_deadMan->setMinimumHeight(base::em(this, kTouchTarget_em));
-    m_clutch->setMinimumHeight(base::em(this, kTouchTarget_em));
 
     auto* program = new QHBoxLayout;
     program->addWidget(m_driveSign, 1);
@@ -177,7 +178,6 @@ void JogPanel::addRows() {
         for (const int side : {0, 1}) {
             auto* button = new base::HoldButton(this);
             button->setObjectName((side == 1 ? QStringLiteral("up%1") : QStringLiteral("down%1")).arg(row));
-            button->setFixedSize(base::em(this, 3.4), base::em(this, kTouchTarget_em));
             connect(button, &base::HoldButton::heldChanged, this, &JogPanel::onDirectionHeld);
             added.buttons[static_cast<std::size_t>(side)] = button;
             m_grid->addWidget(button, row, 2 + side);
@@ -185,6 +185,28 @@ void JogPanel::addRows() {
         for (QWidget* child :
              std::initializer_list<QWidget*>{added.name, added.range, added.buttons[0], added.buttons[1]})
             child->installEventFilter(this);
+    }
+    fitButtons();
+}
+
+void JogPanel::setCompact(bool low, bool narrow) {
+    if (std::exchange(m_isLow, low) == low && m_isNarrow == narrow)
+        return;
+    m_isNarrow = narrow;
+    fitButtons();
+    showHandText();
+    retranslate();
+    layout()->activate(); // who shares room asks at once
+}
+
+void JogPanel::fitButtons() {
+    const int height = base::em(this, m_isLow ? kLowTarget_em : kTouchTarget_em);
+    m_deadMan->setMinimumHeight(height);
+    m_clutch->setMinimumHeight(height);
+    for (const Row& row : m_rows) {
+        row.range->setNarrow(m_isNarrow);
+        for (base::HoldButton* button : row.buttons)
+            button->setFixedSize(base::em(this, m_isNarrow ? kNarrowDirection_em : kDirection_em), height);
     }
 }
 
@@ -311,13 +333,20 @@ void JogPanel::setHindrance(const QString& reason) {
 
 void JogPanel::setHand(const std::optional<HandMotion>& hand) {
     m_hand = hand.value_or(HandMotion{});
+    if (std::exchange(m_hasHand, hand.has_value()) != hand.has_value())
+        showHandText();
     m_handReady = hand && (m_handReady || !m_hand.deadManHeld);
     take();
 }
 
 void JogPanel::setHandText(const QString& text) {
     m_handText->setText(text);
-    m_handText->setVisible(!text.isEmpty());
+    showHandText();
+}
+
+/// Where there is little room, a line that says that there is none is left out.
+void JogPanel::showHandText() {
+    m_handText->setVisible(!m_handText->text().isEmpty() && (!m_isLow || m_hasHand));
 }
 
 void JogPanel::setWrench(const std::optional<core::WrenchSample>& wrench) {

@@ -101,6 +101,9 @@ public:
     /// released.
     void letGo();
 
+    /// low: lower buttons and fewer words, for a low window. narrow: narrower buttons, too, and Run,
+    /// Hold and Restart without their names.
+    void setCompact(bool low, bool narrow);
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
     void setWay(Way way);
@@ -172,6 +175,8 @@ private:
     void addRows();
     [[nodiscard]] QString jointName(std::size_t joint) const;
     void enableParts();
+    void fitButtons();
+    void showHandText();
     void showSpeed();
     void retranslate();
 
@@ -182,10 +187,13 @@ private:
     bool m_hasSample = false;
     bool m_stopEngaged = false;
     bool m_readingsOld = false;
+    bool m_isLow = false;
+    bool m_isNarrow = false;
     double m_age_s = 0.0; ///< of m_sample
     base::SteadyNumber m_force_N;
     base::SteadyNumber m_torque_Nm;
     HandMotion m_hand;
+    bool m_hasHand = false;
     bool m_handReady = false; ///< its button was let go since it was taken out of effect
     Mode m_mode = Mode::joints;
     Way m_way = Way::velocity;

@@ -48,12 +48,15 @@ void JogPanel::retranslate() {
                           "together with a direction. Let go of either and it stands still.</p>"));
     showWrench();
     m_limits->retranslate();
-    m_run->setText(tr("R&un"));
-    m_run->setToolTip(tr("Let the arm's program go on"));
-    m_hold->setText(tr("H&old"));
-    m_hold->setToolTip(tr("Hold the arm where it is"));
-    m_restart->setText(tr("R&estart"));
-    m_restart->setToolTip(tr("Restart the arm's program"));
+    const auto call = [this](QPushButton* button, const QString& text, const QString& about) {
+        const QString plain = QString(text).remove(QLatin1Char('&'));
+        button->setText(m_isNarrow ? QString() : text);
+        button->setAccessibleName(plain);
+        button->setToolTip(m_isNarrow ? tr("%1: %2", "a button and what it does").arg(plain, about) : about);
+    };
+    call(m_run, tr("R&un"), tr("Let the arm's program go on"));
+    call(m_hold, tr("H&old"), tr("Hold the arm where it is"));
+    call(m_restart, tr("R&estart"), tr("Restart the arm's program"));
     m_modeBox->setItemText(0, tr("Joints"));
     m_modeBox->setItemText(1, tr("Tip, x y z"));
     m_modeBox->setAccessibleName(tr("What is moved"));
@@ -70,7 +73,7 @@ void JogPanel::retranslate() {
            "Also the second button of a 3D mouse."));
     m_clutch->setAccessibleName(tr("Clutch"));
     showSpeed();
-    m_deadMan->setText(tr("Hold to enable (or Shift)"));
+    m_deadMan->setText(m_isNarrow ? tr("Hold (or Shift)") : tr("Hold to enable (or Shift)"));
     m_deadMan->setToolTip(tr("Dead-man switch: the arm moves only while this button or Shift is held"));
     m_deadMan->setAccessibleName(tr("Dead-man switch"));
     constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
@@ -123,9 +126,11 @@ void JogPanel::showHint() {
         isGuided() ? tr("Hold Shift: each press of D A (x), W S (y), E Q (z) is a step.")
         : m_mode == Mode::tip
             ? tr("Hold Shift and a button, or Shift with D A (x), W S (y), E Q (z).")
-            : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down).")
+            : (m_isLow ? tr("Hold Shift with %1 (up), %2 (down).")
+                       : tr("Hold Shift and a button, or Shift with %1 (up), %2 (down)."))
                   .arg(lettersOf(joints(), &KeyPair::up), lettersOf(joints(), &KeyPair::down));
-    const QString longer = tr("Click here first: the keys work only in this view. %1").arg(how);
+    const QString first = tr("Click here first: the keys work only in this view. %1");
+    const QString longer = first.arg(m_isLow ? QString() : how).trimmed();
     const auto whole = [this](const QString& text) {
         return m_arm && !m_arm->guarded
                    ? tr("UNGUARDED: the robot does not stop by itself when this program or "
@@ -134,10 +139,14 @@ void JogPanel::showHint() {
                    : text;
     };
     // What is below must not move under the mouse when the keyboard comes or goes.
-    m_message->setText(whole(longer));
-    m_message->setMinimumHeight(0);                       // which its height for a width would be at least
     const QMargins margins = layout()->contentsMargins(); // the line itself gets its width later
-    m_message->setMinimumHeight(m_message->heightForWidth(width() - margins.left() - margins.right()));
+    int highest = 0;
+    for (const QString& text : {how, longer}) {
+        m_message->setText(whole(text));
+        m_message->setMinimumHeight(0); // which its height for a width would be at least
+        highest = std::max(highest, m_message->heightForWidth(width() - margins.left() - margins.right()));
+    }
+    m_message->setMinimumHeight(highest);
     m_message->setText(whole(hasKeyboard() ? how : longer));
 }
 

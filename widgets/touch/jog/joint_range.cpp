@@ -43,6 +43,11 @@ void JointRange::setUnit(Unit unit) {
     update();
 }
 
+void JointRange::setNarrow(bool narrow) {
+    m_isNarrow = narrow;
+    updateGeometry();
+}
+
 void JointRange::setRange(double lowest_rad, double highest_rad) {
     m_endless = !std::isfinite(lowest_rad) || !std::isfinite(highest_rad);
     m_lowest_rad = m_endless ? -std::numbers::pi : lowest_rad;
@@ -78,7 +83,7 @@ QSize JointRange::sizeHint() const {
 }
 
 QSize JointRange::minimumSizeHint() const {
-    return {base::em(this, 10), base::em(this, 1.5)};
+    return {base::em(this, m_isNarrow ? 8.5 : 10.0), base::em(this, 1.5)};
 }
 
 void JointRange::paintEvent(QPaintEvent*) {

@@ -18,6 +18,8 @@ public:
     explicit JointRange(QWidget* parent = nullptr);
 
     void setUnit(Unit unit);
+    /// Needs less room, with a shorter bar.
+    void setNarrow(bool narrow);
     /// Infinite: it has no limits.
     void setRange(double lowest_rad, double highest_rad);
     /// NaN: unknown.
@@ -37,6 +39,7 @@ private:
 
     Unit m_unit = Unit::degree;
     bool m_endless = false;
+    bool m_isNarrow = false;
     double m_lowest_rad = 0.0, m_highest_rad = 0.0;
     double m_angle_rad;
     base::SteadyNumber m_shown{0.1};
