@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/gauge_content.h"
 
+#include "widgets/base/controls/status_glyph.h"
 #include "widgets/touch/touch_texts.h"
 
 #include <QStringList>
+
+#include <algorithm>
+#include <cmath>
 
 namespace teleta::touch {
 
@@ -62,11 +66,25 @@ QString GaugeTexts::band(const stiffness::MaterialBand& band) {
     return tr("%1: %2 to %3\n%4").arg(name, TouchTexts::newtonPerMetre(band.lower_NPerM), upper, last);
 }
 
+bool GaugeTexts::isStale(const GaugeContent& content) {
+    return (content.touch || content.refusal) && content.age_s && *content.age_s >= kStale_s;
+}
+
+QString GaugeTexts::age(const GaugeContent& content) {
+    if ((!content.touch && !content.refusal) || !content.age_s)
+        return {};
+    const double seconds = std::floor(std::max(0.0, *content.age_s));
+    const QString age = seconds < 10.0 ? tr("%1 s").arg(seconds, 0, 'f', 0) : base::ageText(seconds);
+    return isStale(content) ? tr("stale, %1 ago").arg(age) : tr("%1 ago").arg(age);
+}
+
 QString GaugeTexts::spoken(const GaugeContent& content) {
     if (!content.touch)
         return content.refusal ? tr("No stiffness. %1").arg(TouchTexts::refusal(*content.refusal))
                                : content.emptyText;
     QStringList parts{headline(content), material(*content.touch), details(content)};
+    if (const QString old = age(content); !old.isEmpty())
+        parts.prepend(old);
     if (content.touch->materialKnown())
         parts.prepend(TouchTexts::safety(stiffness::isSafe(content.touch->material)));
     if (const QString suspicious = warning(content); !suspicious.isEmpty())

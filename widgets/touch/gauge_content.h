@@ -18,6 +18,7 @@ struct GaugeContent {
     std::optional<stiffness::Refusal> refusal; ///< why there is no stiffness; with touch empty
     base::Provenance provenance = base::Provenance::live;
     QString emptyText;
+    std::optional<double> age_s; ///< of the touch; empty: it is not known
 };
 
 /// The texts of the gauge, translated when they are asked for.
@@ -25,6 +26,9 @@ class GaugeTexts {
     Q_DECLARE_TR_FUNCTIONS(GaugeTexts)
 
 public:
+    /// From this age on, what was touched may no longer be what is there.
+    static constexpr double kStale_s = 30.0;
+
     /// The estimate with its unit, or that there is none.
     [[nodiscard]] static QString headline(const GaugeContent& content);
     /// Material with its level, and how sure that is.
@@ -35,6 +39,9 @@ public:
     [[nodiscard]] static QString warning(const GaugeContent& content);
     /// A class of the scale with its borders.
     [[nodiscard]] static QString band(const stiffness::MaterialBand& band);
+    [[nodiscard]] static bool isStale(const GaugeContent& content);
+    /// How long ago the touch was, in whole seconds, minutes or hours; empty without one.
+    [[nodiscard]] static QString age(const GaugeContent& content);
     /// All of it in words, for those who do not see the scale.
     [[nodiscard]] static QString spoken(const GaugeContent& content);
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/touch/gauge_painter.h"
 
+#include "widgets/base/controls/status_glyph.h"
 #include "widgets/base/theme.h"
 #include "widgets/touch/safety_sign.h"
 #include "widgets/touch/touch_texts.h"
@@ -43,11 +44,14 @@ public:
         m_painter.setRenderHint(QPainter::Antialiasing);
         verdict();
         bands();
-        bandNames();
-        axis();
+        if (!m_layout.names.isEmpty())
+            bandNames();
+        if (!m_layout.axis.isEmpty())
+            axis();
         if (m_content.touch)
             estimate(m_content.touch->object);
-        details();
+        if (!m_layout.details.isEmpty())
+            details();
         m_painter.restore();
     }
 
@@ -70,8 +74,29 @@ private:
         m_painter.setFont(m_font);
         const QRectF line = base::paintProvenance(m_painter, m_layout.material, m_content.provenance,
                                                   m_palette, 0.5 * m_layout.em);
+        const QRectF rest = age(line);
         if (m_content.touch)
-            words(line, m_font, m_text, GaugeTexts::material(*m_content.touch));
+            words(rest, m_font, m_text, GaugeTexts::material(*m_content.touch));
+        else if (m_layout.details.isEmpty())
+            words(rest, m_small, m_faint,
+                  m_content.refusal ? GaugeTexts::details(m_content) : m_content.emptyText);
+    }
+
+    /// At the right end, below the sign: how old its word is. Returns what is left of the line.
+    QRectF age(const QRectF& line) {
+        const QString text = GaugeTexts::age(m_content);
+        if (text.isEmpty())
+            return line;
+        const bool isOld = GaugeTexts::isStale(m_content);
+        const double width = QFontMetricsF(m_small).horizontalAdvance(text) + 1.0;
+        const QRectF room(line.right() - width, line.top(), width, line.height());
+        words(room, m_small, isOld ? base::statusColours(m_palette).stale : m_faint, text);
+        const double mark = isOld ? 0.8 * m_layout.em : 0.0;
+        if (isOld)
+            base::paintStatusGlyph(
+                m_painter, QRectF(room.left() - 1.25 * mark, line.center().y() - 0.5 * mark, mark, mark),
+                core::DeviceState::stale, m_palette);
+        return line.adjusted(0.0, 0.0, -width - 1.25 * mark - 0.5 * m_layout.em, 0.0);
     }
 
     /// Whether the material may be told.
@@ -246,6 +271,9 @@ private:
             text = m_content.emptyText;
         if (!warning.isEmpty())
             text = warning + u'\n' + text;
+        if (m_layout.details.height() < 2.0 * QFontMetricsF(m_small).height())
+            text = QFontMetricsF(m_small).elidedText(text.section(u'\n', 0, 0), Qt::ElideRight,
+                                                     m_layout.details.width());
         m_painter.setFont(m_small);
         m_painter.setPen(warning.isEmpty() ? base::mixed(m_text, m_ground, 0.2)
                                            : base::statusColours(m_palette).stale);
@@ -266,10 +294,24 @@ GaugeLayout::GaugeLayout(const QRectF& rect, const QFont& font)
     : em(QFontMetricsF(font).height()) {
     const double margin = 0.75 * em;
     const QRectF inner = rect.adjusted(margin, 0.5 * margin, -margin, -0.5 * margin);
-    constexpr double kHeadline = 2.4, kMaterial = 1.3, kNames = 1.2, kInterval = 1.2, kAxis = 1.5,
-                     kDetails = 2.0;
-    const double rest = inner.height() / em - kHeadline - kMaterial - kNames - kInterval - kAxis - kDetails;
-    const double bandHeight = std::clamp(rest - 0.6, 0.8, 4.5);
+    constexpr double kMaterial = 1.3, kLeastBand = 0.8;
+    double headlineHeight = 2.4, namesHeight = 1.2, intervalHeight = 1.2, axisHeight = 1.5,
+           detailsHeight = 2.0;
+    const auto rest_em = [&] {
+        return inner.height() / em - headlineHeight - kMaterial - namesHeight - intervalHeight - axisHeight -
+               detailsHeight;
+    };
+    // The lower it is, the fewer of its parts remain; the verdict and the scale do to the end.
+    for (double* part : {&detailsHeight, &axisHeight, &namesHeight, &intervalHeight}) {
+        if (part == &detailsHeight && rest_em() < kLeastBand - 0.1)
+            detailsHeight = 1.0;
+        if (rest_em() < kLeastBand - 0.1)
+            *part = 0.0;
+    }
+    if (rest_em() < kLeastBand)
+        headlineHeight = 2.0;
+    const double rest = rest_em();
+    const double bandHeight = std::clamp(rest - 0.6, kLeastBand, 4.5);
     // What is left over is shared above and below the scale.
     const double gap = std::max(0.0, rest - bandHeight) * 0.5;
     double y = inner.top();
@@ -278,17 +320,20 @@ GaugeLayout::GaugeLayout(const QRectF& rect, const QFont& font)
         y = room.bottom();
         return room;
     };
-    headline = row(kHeadline);
-    sign = headline.adjusted(0.0, 0.4 * em, 0.0, 0.0);
+    headline = row(headlineHeight);
+    sign = headline.adjusted(0.0, (headlineHeight - 2.0) * em, 0.0, 0.0);
     material = row(kMaterial);
     y += gap * em;
-    names = row(kNames);
-    interval = row(kInterval);
+    names = row(namesHeight);
+    interval = row(intervalHeight);
     bands = row(bandHeight);
+    if (intervalHeight == 0.0)
+        interval = bands;
     y += 0.2 * em;
-    axis = row(kAxis);
+    axis = row(axisHeight);
     y += std::min(gap, 0.4) * em;
-    details = QRectF(inner.left(), y, inner.width(), std::max(em, inner.bottom() - y));
+    details =
+        QRectF(inner.left(), y, inner.width(), detailsHeight == 0.0 ? 0.0 : std::max(em, inner.bottom() - y));
 }
 
 double GaugeLayout::x(double stiffness_NPerM) const {

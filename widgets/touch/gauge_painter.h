@@ -14,7 +14,9 @@ class QPainter;
 
 namespace teleta::touch {
 
-/// Where the parts of the gauge lie. Thread: any (pure).
+/// Where the parts of the gauge lie. In a low one details, the numbers of the scale, the names of its bands
+/// and a lane of its own for the interval go, in this order: those that went have no height. Thread: any
+/// (pure).
 class GaugeLayout {
 public:
     /// Ends of the scale.

@@ -9,8 +9,18 @@
 
 namespace teleta::touch {
 
+namespace {
+
+/// A picture is looked at later.
+GaugeContent withoutAge(GaugeContent content) {
+    content.age_s.reset();
+    return content;
+}
+
+} // namespace
+
 StiffnessGauge::StiffnessGauge(QWidget* parent)
-    : FigureView(parent, {24, 12.5}, {17, 11.2}) {
+    : FigureView(parent, {24, 12.5}, {17, 5.2}) {
     base::keepTranslated(this, &StiffnessGauge::retranslate);
 }
 
@@ -21,7 +31,9 @@ void StiffnessGauge::retranslate() {
            "estimate, the line through it the interval in which the stiffness lies with 95 %.</p>"
            "<p>An object that yields hardly more than the arm itself cannot be told from a rigid one: then "
            "an open arrow shows that its stiffness is at least so large.</p>"
-           "<p>Sponge and rubber sponge are safe to touch; rubber, wood and metal are a danger.</p>"));
+           "<p>Sponge and rubber sponge are safe to touch; rubber, wood and metal are a danger.</p>") +
+        tr("<p>Below the word stands how long ago the touch was. After half a minute it is stale: the arm "
+           "may be elsewhere by then.</p>"));
     if (m_defaultEmptyText)
         m_content.emptyText = tr("Touch an object with the arm's skin: its stiffness appears here.");
     shown();
@@ -35,13 +47,22 @@ void StiffnessGauge::shown() {
 void StiffnessGauge::setTouch(const std::optional<stiffness::TouchStiffness>& touch) {
     m_content.touch = touch;
     m_content.refusal.reset();
+    m_content.age_s.reset();
     shown();
 }
 
 void StiffnessGauge::setRefusal(stiffness::Refusal refusal) {
     m_content.touch.reset();
     m_content.refusal = refusal;
+    m_content.age_s.reset();
     shown();
+}
+
+void StiffnessGauge::setAge(std::optional<double> age_s) {
+    const QString before = GaugeTexts::age(m_content);
+    m_content.age_s = age_s;
+    if (before != GaugeTexts::age(m_content))
+        shown();
 }
 
 void StiffnessGauge::setProvenance(base::Provenance provenance) {
@@ -71,7 +92,7 @@ base::Figure StiffnessGauge::figure() {
     return {.name = tr("stiffness"),
             .size_px = QSizeF(size()),
             .paint =
-                [content = m_content, size = QSizeF(size()), font = font()](QPainter& painter) {
+                [content = withoutAge(m_content), size = QSizeF(size()), font = font()](QPainter& painter) {
                     paintGauge(painter, GaugeLayout(QRectF(QPointF(), size), font), font, content,
                                base::designedPalette(false));
                 },

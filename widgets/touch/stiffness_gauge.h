@@ -21,6 +21,9 @@ public:
     void setTouch(const std::optional<stiffness::TouchStiffness>& touch);
     /// Shows why the last touch has no estimate.
     void setRefusal(stiffness::Refusal refusal);
+    /// How long ago the touch was that is shown; empty: it is not known. Call it as often as you like: it
+    /// repaints when the text changes, once a second at most.
+    void setAge(std::optional<double> age_s);
     void setProvenance(base::Provenance provenance);
     /// What to do while nothing was touched.
     void setEmptyText(const QString& text);

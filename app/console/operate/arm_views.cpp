@@ -4,6 +4,7 @@
 #include "app/console/operate/arm_servo_views.h"
 #include "app/console/operate/joint_dials.h"
 #include "backend/arm_model/serial_chain.h"
+#include "backend/core/steady_time.h"
 #include "backend/pipeline/touch/skin_kinematics.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/touch/contour_view.h"
@@ -16,6 +17,7 @@
 #include <QItemSelectionModel>
 #include <QTableView>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -138,6 +140,7 @@ void ArmViews::wearBentSkin() {
 
 void ArmViews::clear() {
     m_gauge->setTouch(std::nullopt);
+    m_judged.reset();
     m_touches->clear();
     m_shownTouches.clear();
     m_sheet->clear();
@@ -171,6 +174,7 @@ void ArmViews::tick() {
         takeTouches();
         if (m_arm->update())
             show(m_arm->snapshot());
+        showAge();
     }
     m_servo->tick();
     m_joints->refresh();
@@ -209,10 +213,23 @@ void ArmViews::showTouch(const pipeline::TouchRecord& record) {
         m_gauge->setTouch(record.stiffness);
     else if (record.refusal)
         m_gauge->setRefusal(*record.refusal);
+    if (record.stiffness || record.refusal)
+        m_judged = Judged{record.arrived_ns != 0 ? record.arrived_ns : record.ready_ns, record.ready_s};
+}
+
+/// A recording has a time of its own, which may be paused; an arm that has fallen silent grows old, too.
+void ArmViews::showAge() {
+    if (!m_judged)
+        return;
+    const double age_s = m_arm->description().recorded
+                             ? m_arm->snapshot().newest.sourceTime_s - m_judged->time_s
+                             : core::elapsed_s(m_judged->time_ns, core::steadyNow_ns());
+    m_gauge->setAge(std::max(0.0, age_s));
 }
 
 void ArmViews::beginAnew(std::int64_t begun_ns) {
     m_gauge->setTouch(std::nullopt);
+    m_judged.reset();
     m_touches->clear();
     m_sheet->clear();
     m_bracelet.forgetFeedback();

@@ -61,6 +61,8 @@ public:
     }
     /// Shows what came since the last tick.
     void tick();
+    /// See JogPanel::setCompact().
+    void setCompact(bool low, bool narrow) { m_joints->setCompact(low, narrow); }
     /// Time from the read of the newest joint sample to its picture; empty without one.
     [[nodiscard]] std::optional<double> latency_s() const { return m_joints->latency_s(); }
 
@@ -82,6 +84,11 @@ signals:
     void jointsUnknown(const QString& message);
 
 private:
+    /// When the touch that the gauge shows was complete, in two clocks.
+    struct Judged {
+        std::int64_t time_ns;
+        double time_s; ///< in the arm's own time
+    };
     /// State kept for an arm that is not shown.
     struct Kept {
         touch::RunSheetModel::Notes notes;
@@ -104,6 +111,7 @@ private:
     void clear();
     /// Drops the touches of the previous run.
     void beginAnew(std::int64_t begun_ns);
+    void showAge();
 
     BraceletService& m_bracelet;
     view3d::Scene3dView& m_scene;
@@ -120,6 +128,7 @@ private:
     std::map<std::weak_ptr<pipeline::ArmChannel>, Kept, std::owner_less<>> m_kept;
     std::vector<pipeline::TouchRecord> m_shownTouches; ///< of this arm, the oldest first
     arm::Arm4Kinematics m_kinematics;
+    std::optional<Judged> m_judged;
     std::uint64_t m_contourRevision = 0;
     std::uint64_t m_objectsRevision = 0;
     std::int64_t m_begun_ns = 0; ///< as in the snapshot that is shown

@@ -45,6 +45,24 @@ struct Shown {
     StiffnessGauge gauge;
 };
 
+/// Events of a kind that an object gets.
+class CountedEvents : public QObject {
+public:
+    CountedEvents(QObject& watched, QEvent::Type type)
+        : m_type(type) {
+        watched.installEventFilter(this);
+    }
+    [[nodiscard]] int count() const { return m_count; }
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+        m_count += event->type() == m_type ? 1 : 0;
+        return false;
+    }
+
+private:
+    QEvent::Type m_type;
+    int m_count = 0;
+};
+
 /// Which pixels a safety shape covers.
 QSet<int> silhouette(bool safe) {
     QImage image(48, 48, QImage::Format_RGB32);
@@ -168,6 +186,68 @@ private slots:
         QSet<int> onlyOne = silhouette(true);
         onlyOne.subtract(silhouette(false));
         QVERIFY(onlyOne.size() > 300);
+    }
+
+    void theAgeOfTheTouchIsSaidAndRepaintedOnceASecond() {
+        Shown shown(test::estimateOf(282.0, 270.0, 295.0));
+        QCOMPARE(GaugeTexts::age(shown.gauge.content()), QString());
+        shown.gauge.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&shown.gauge));
+        QCoreApplication::processEvents();
+        CountedEvents paints(shown.gauge, QEvent::Paint);
+        for (int tick = 0; tick < 90; ++tick) { // 3 s at 30 Hz
+            shown.gauge.setAge(tick / 30.0);
+            QCoreApplication::processEvents();
+        }
+        QCOMPARE(paints.count(), 3);
+        QCOMPARE(GaugeTexts::age(shown.gauge.content()), QStringLiteral("2 s ago"));
+        QVERIFY(shown.gauge.accessibleDescription().startsWith("SAFE; 2 s ago"));
+        QVERIFY2(shown.gauge.figure().csv() == gaugeCsv(shown.gauge.content()), "a file has no age");
+    }
+
+    void anOldWordIsStaleInAmberUntilTheNextTouch() {
+        Shown shown(test::estimateOf(282.0, 270.0, 295.0));
+        const auto amber = [&shown] {
+            const QImage image = shown.draw();
+            const QRectF line = shown.gauge.layoutNow().material;
+            const QColor stale = base::statusColours(shown.gauge.palette()).stale;
+            int found = 0;
+            for (int x = qCeil(line.center().x()); x < line.right(); ++x)
+                for (int y = qCeil(line.top()); y < line.bottom(); ++y)
+                    found += image.pixelColor(x, y) == stale ? 1 : 0;
+            return found;
+        };
+        shown.gauge.setAge(GaugeTexts::kStale_s - 0.1);
+        QVERIFY(!GaugeTexts::isStale(shown.gauge.content()));
+        QCOMPARE(amber(), 0);
+        shown.gauge.setAge(GaugeTexts::kStale_s);
+        QCOMPARE(GaugeTexts::age(shown.gauge.content()), spaced("stale, 30 s ago"));
+        QVERIFY(amber() > 20);
+        shown.gauge.setAge(150.0);
+        QCOMPARE(GaugeTexts::age(shown.gauge.content()), spaced("stale, 2 min ago"));
+        shown.gauge.setRefusal(Refusal::tooFewSamples);
+        QCOMPARE(GaugeTexts::age(shown.gauge.content()), QString());
+    }
+
+    void aLowGaugeKeepsTheVerdictAndTheScale() {
+        Shown shown(test::estimateOf(1000.0, 500.0, 2500.0));
+        int before = 3;
+        for (int height = 240; height >= shown.gauge.minimumSizeHint().height(); --height) {
+            shown.gauge.resize(shown.gauge.minimumSizeHint().width(), height);
+            const GaugeLayout layout = shown.gauge.layoutNow();
+            const QRectF all = shown.gauge.rect();
+            for (const QRectF& part : {layout.headline, layout.sign, layout.material, layout.bands})
+                QVERIFY2(part.height() > 0.0 && all.contains(part), qPrintable(QString::number(height)));
+            const int parts = (layout.names.isEmpty() ? 0 : 1) + (layout.axis.isEmpty() ? 0 : 1) +
+                              (layout.details.isEmpty() ? 0 : 1);
+            QVERIFY2(parts <= before, qPrintable(QString::number(height)));
+            before = parts;
+        }
+        QCOMPARE(before, 0);
+        const QImage image = shown.draw();
+        const GaugeLayout layout = shown.gauge.layoutNow();
+        QVERIFY(shown.isInk(image, {layout.x(1000.0), layout.interval.center().y()}));
+        QVERIFY(shown.isInk(image, {layout.x(600.0), layout.interval.center().y()}));
     }
 
     void everyRefusalHasItsReasonInWords() {

@@ -128,6 +128,7 @@ private slots:
         QVERIFY(touch.has_value());
         QVERIFY(touch->object.onlyBound()); // rigid
         QCOMPARE(touch->material, stiffness::Material::metal);
+        QVERIFY2(child<touch::StiffnessGauge>()->content().age_s.has_value(), "how old the word is");
         // The gauge has it in the same tick as the table, within the second of the first contact.
         const auto& record = arm()->snapshot().lastTouch;
         QVERIFY(record && record->located);
