@@ -67,6 +67,11 @@ constexpr char kStudy[] = "study";
 /// Room for the frame and the title that a desktop draws around the window.
 constexpr QSize kFrame_px(16, 48);
 
+/// What the pictures of an arm need beside each other, in any language.
+constexpr QSize kSmall_em(68, 46);
+/// In a lower window the controls of the arm would scroll.
+constexpr int kLow_em = 54;
+
 } // namespace
 
 MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings, core::StopSwitch& stop)
@@ -483,6 +488,14 @@ void MainWindow::saveState() {
         if (const auto* camera = std::get_if<app::CameraRequest>(&item.request))
             m_settings.setCamera(*camera);
     m_settings.setLastSession(session());
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    const bool small =
+        width() < base::em(this, kSmall_em.width()) || height() < base::em(this, kSmall_em.height());
+    m_rail->setIconsOnly(small);
+    m_operate->setCompact(height() < base::em(this, kLow_em), small);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

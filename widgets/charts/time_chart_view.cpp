@@ -106,6 +106,36 @@ void TimeChartView::addTimeTools() {
     addTool(m_pause);
 }
 
+QList<QToolButton*> TimeChartView::namedTools() const {
+    QList<QToolButton*> tools = m_tools->parentWidget()->findChildren<QToolButton*>();
+    tools.removeIf([](const QToolButton* tool) { return tool->icon().isNull() || tool->menu() != nullptr; });
+    return tools;
+}
+
+int TimeChartView::toolsWidth(bool named) const {
+    int width = m_tools->minimumSize().width();
+    for (const QToolButton* tool : namedTools()) {
+        const bool isNamed = tool->toolButtonStyle() != Qt::ToolButtonIconOnly;
+        // As Qt makes room for it.
+        const int name =
+            QFontMetrics(tool->font()).horizontalAdvance(tool->text() + QStringLiteral("  ")) + 4;
+        width += (named ? name : 0) - (isNamed ? name : 0);
+    }
+    return width;
+}
+
+void TimeChartView::fitTools() {
+    const bool named = toolsWidth(true) <= m_tools->parentWidget()->width();
+    for (QToolButton* tool : namedTools())
+        tool->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+QSize TimeChartView::minimumSizeHint() const {
+    const QSize least = FigureView::minimumSizeHint();
+    const int frame = 2;
+    return {std::max(m_plot->minimumSizeHint().width(), toolsWidth(false)) + frame, least.height()};
+}
+
 void TimeChartView::addTimeActions(QMenu& menu) {
     menu.addMenu(tr("S&pan"))->addActions(m_spanGroup->actions());
     menu.addAction(m_pause);
@@ -131,6 +161,7 @@ void TimeChartView::retranslate() {
     }
     m_pause->setToolTip(tr("Freeze the chart; samples are still collected (Space)"));
     showPause();
+    fitTools();
     invalidate();
 }
 
@@ -399,6 +430,7 @@ bool TimeChartView::eventFilter(QObject* watched, QEvent* event) {
             event->ignore();
         return true;
     case QEvent::Resize:
+        fitTools();
         invalidate();
         m_empty->setGeometry(m_plot->rect());
         return false;

@@ -59,6 +59,7 @@ public:
     void setCursorTime(std::optional<double> time_s);
     [[nodiscard]] std::optional<double> cursorTime_s() const { return m_cursor_s; }
 
+    [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] base::Figure figure() override;
     [[nodiscard]] virtual const SampleHistory& history() const = 0;
 
@@ -100,6 +101,11 @@ protected:
 
 private:
     void makeActions();
+    /// Those whose name can go: a picture and a tool tip say the same.
+    [[nodiscard]] QList<QToolButton*> namedTools() const;
+    /// Of the tool bar, with or without these names.
+    [[nodiscard]] int toolsWidth(bool named) const;
+    void fitTools();
     void draw();
     /// Whether the newest sample lies visibly later than the newest that is drawn.
     [[nodiscard]] bool hasScrolled() const;

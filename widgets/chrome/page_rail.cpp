@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::chrome {
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kWidth_em = 5.0;
 constexpr double kIcon_em = 1.75;
+constexpr double kIconOnly_em = 3.0;
 
 /// A rail button: a bar in the accent colour marks the current page, so that colour is not the only sign.
 class RailButton : public QToolButton {
@@ -38,7 +40,8 @@ protected:
         const int side = base::em(this, kIcon_em);
         const QFontMetrics metrics(font());
         const int gap = base::grid(this, 0.5);
-        const int top = (height() - side - gap - metrics.height()) / 2;
+        const bool named = !this->text().isEmpty();
+        const int top = (height() - side - (named ? gap + metrics.height() : 0)) / 2;
         icon().paint(&painter, QRect((width() - side) / 2, top, side, side));
         painter.setPen(text);
         painter.drawText(QRect(0, top + side + gap, width(), metrics.height()), Qt::AlignCenter,
@@ -69,7 +72,7 @@ void PageRail::addPage(const QString& name, base::Icon icon, const QString& titl
     button->setFocusPolicy(Qt::TabFocus);
     m_layout->insertWidget(static_cast<int>(m_pages.size()), button);
     m_group->addButton(button);
-    m_pages.push_back({name, icon, button});
+    m_pages.push_back({name, icon, title, toolTip, button});
     connect(button, &QToolButton::clicked, this, [this, name] { emit pageRequested(name); });
     const auto number = static_cast<int>(m_pages.size());
     if (number <= 9) {
@@ -86,11 +89,9 @@ void PageRail::setTitle(const QString& name, const QString& title, const QString
         std::find_if(m_pages.begin(), m_pages.end(), [&](const Page& page) { return page.name == name; });
     if (found == m_pages.end())
         return;
-    const auto number = static_cast<int>(found - m_pages.begin()) + 1;
-    found->button->setText(title);
+    found->title = title;
+    found->about = toolTip;
     found->button->setAccessibleName(title);
-    found->button->setToolTip(
-        tr("%1 (Ctrl+%2)", "tool tip of a page and its shortcut").arg(toolTip).arg(number));
     restyle();
 }
 
@@ -99,6 +100,11 @@ void PageRail::setCurrentPage(const QString& name) {
         if (page.name == name)
             page.button->setChecked(true);
     }
+}
+
+void PageRail::setIconsOnly(bool iconsOnly) {
+    if (std::exchange(m_iconsOnly, iconsOnly) != iconsOnly)
+        restyle();
 }
 
 QString PageRail::currentPage() const {
@@ -111,14 +117,20 @@ QString PageRail::currentPage() const {
 
 void PageRail::restyle() {
     // As wide as the longest title needs, in any language.
-    int width = base::em(this, kWidth_em);
+    int width = base::em(this, m_iconsOnly ? kIconOnly_em : kWidth_em);
     for (const Page& page : m_pages)
-        width = std::max(width, QFontMetrics(page.button->font()).horizontalAdvance(page.button->text()) +
-                                    base::grid(this, 2));
+        if (!m_iconsOnly)
+            width = std::max(width, QFontMetrics(page.button->font()).horizontalAdvance(page.title) +
+                                        base::grid(this, 2));
     setFixedWidth(width);
+    int number = 0;
     for (const Page& page : m_pages) {
         page.button->setIcon(base::themeIcon(page.icon));
-        page.button->setFixedSize(width, base::em(this, 4.0));
+        page.button->setText(m_iconsOnly ? QString() : page.title);
+        const QString about =
+            tr("%1 (Ctrl+%2)", "tool tip of a page and its shortcut").arg(page.about).arg(++number);
+        page.button->setToolTip(m_iconsOnly ? page.title + QLatin1Char('\n') + about : about);
+        page.button->setFixedSize(width, base::em(this, m_iconsOnly ? kIconOnly_em : 4.0));
     }
 }
 

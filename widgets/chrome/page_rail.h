@@ -25,6 +25,8 @@ public:
     void addPage(const QString& name, base::Icon icon, const QString& title, const QString& toolTip);
     void setTitle(const QString& name, const QString& title, const QString& toolTip);
     void setCurrentPage(const QString& name);
+    /// Without the names of the pages, for a small window: their tool tips say them.
+    void setIconsOnly(bool iconsOnly);
     [[nodiscard]] QString currentPage() const;
 
 signals:
@@ -34,6 +36,8 @@ private:
     struct Page {
         QString name;
         base::Icon icon;
+        QString title;
+        QString about;
         QToolButton* button = nullptr;
     };
     void restyle();
@@ -41,6 +45,7 @@ private:
     QVBoxLayout* m_layout = new QVBoxLayout(this);
     QButtonGroup* m_group = new QButtonGroup(this);
     std::vector<Page> m_pages;
+    bool m_iconsOnly = false;
 };
 
 } // namespace teleta::chrome

@@ -46,7 +46,9 @@ QDockWidget* DockTabs::dockAt(const QTabBar& tabs, int tab) const {
 }
 
 void DockTabs::adopt(QTabBar* tabs) {
-    tabs->setElideMode(Qt::ElideRight);
+    // Names stay whole; where they do not fit, arrows scroll through them.
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
     tabs->installEventFilter(this);
     connect(tabs, &QTabBar::tabBarDoubleClicked, this, [this, tabs](int tab) {
         if (QDockWidget* dock = dockAt(*tabs, tab))

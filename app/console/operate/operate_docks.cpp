@@ -60,6 +60,7 @@ OperateDocks::OperateDocks(QWidget* parent)
     : QMainWindow(parent) {
     // Inside a page; it is no window itself.
     setWindowFlags(Qt::Widget);
+    m_default.fill(true);
     setDockNestingEnabled(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -150,13 +151,38 @@ void OperateDocks::begin() {
 void OperateDocks::setKind(Kind kind) {
     if (kind == m_kind)
         return;
+    change(kind, m_small);
+    bringForward(std::exchange(m_forward, QString()));
+}
+
+void OperateDocks::setSmall(bool small) {
+    const std::size_t before = index();
+    m_small = small;
+    const std::size_t after = index();
+    if (after == before)
+        return;
+    m_small = !small;
+    const QString alone = m_alone;
+    setMaximised({});
+    std::array<bool, kDocks> closed{};
+    std::ranges::transform(m_docks, closed.begin(), &QDockWidget::isHidden);
+    change(m_kind, small);
+    // Shown for the first time: what a person has closed stays closed.
+    for (std::size_t i = 0; m_layouts[after].isEmpty() && i < kDocks; ++i)
+        if (closed[i])
+            m_docks[i]->hide();
+    setMaximised(alone);
+}
+
+/// To the layout of a kind in a window.
+void OperateDocks::change(Kind kind, bool small) {
     m_layouts[index()] = stateNow();
     forgetMaximised();
     m_kind = kind;
+    m_small = small;
     enableActions();
     if (m_layouts[index()].isEmpty() || !restore(m_layouts[index()]))
         resetLayout();
-    bringForward(std::exchange(m_forward, QString()));
 }
 
 bool OperateDocks::restore(const QByteArray& layout) {
@@ -352,7 +378,7 @@ void OperateDocks::enableActions() {
 }
 
 QByteArray OperateDocks::saveLayouts() const {
-    std::array<QByteArray, kKinds> layouts = m_layouts;
+    std::array<QByteArray, kLayouts> layouts = m_layouts;
     layouts[index()] = stateNow();
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
@@ -366,9 +392,9 @@ bool OperateDocks::restoreLayouts(const QByteArray& layouts) {
     forgetMaximised();
     QDataStream stream(layouts);
     qint32 version = 0;
-    std::array<QByteArray, kKinds> stored;
+    std::array<QByteArray, kLayouts> stored;
     stream >> version;
-    // An older program knew fewer kinds.
+    // An older program knew fewer.
     for (QByteArray& layout : stored)
         if (!stream.atEnd())
             stream >> layout;

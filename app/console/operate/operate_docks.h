@@ -72,6 +72,9 @@ public:
     void begin();
 
     void setKind(Kind kind);
+    /// In a small window the pictures of an arm, a servo or an array lie upon each other as tabs, beside the
+    /// forms. That is a layout of its own.
+    void setSmall(bool small);
     [[nodiscard]] Kind kind() const { return m_kind; }
     /// Shows the scene as soon as there is one, and hides it when there is none. A person can close it
     /// meanwhile.
@@ -112,16 +115,24 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(m_kind); }
+    /// What a layout is kept for: a kind of source in a window that is large, or small where that differs.
+    static constexpr std::size_t kLayouts = 2 * kKinds;
+    [[nodiscard]] std::size_t index() const {
+        return static_cast<std::size_t>(m_kind) + (isStacked() ? kKinds : 0);
+    }
+    [[nodiscard]] bool isStacked() const;
+    void change(Kind kind, bool small);
     [[nodiscard]] bool restore(const QByteArray& layout);
     void arrange();
     /// Gives each dock of the kind its place and shows it, but for the scene.
     void arrangeKind();
+    void arrangeStacked();
     void showScene();
     /// Of this kind of source, and not a scene that nothing looks at.
     [[nodiscard]] bool isUsed(std::size_t dock) const;
     void shareSpace();
     void shareAmongKind();
+    void shareStacked();
     /// Pixels for the first of some docks that stands in the layout, or for what stands behind or before it.
     struct Share {
         std::initializer_list<Dock> docks;
@@ -131,6 +142,7 @@ private:
     void share(std::initializer_list<Share> shares, Qt::Orientation orientation);
     [[nodiscard]] QDockWidget* standing(std::initializer_list<Dock> docks) const;
     [[nodiscard]] static bool isForm(std::size_t dock);
+    [[nodiscard]] int neededHeight(Dock dock) const;
     /// Remembers the sizes of the docks that are seen.
     void noteSizes();
     [[nodiscard]] bool isSeen(std::size_t dock) const;
@@ -150,18 +162,18 @@ private:
 
     std::array<QDockWidget*, kDocks> m_docks{};
     Kind m_kind = Kind::array;
+    bool m_small = false;  ///< the window
     QString m_alone;       ///< name of the dock that is shown alone
     QByteArray m_together; ///< the layout that it came out of; empty: none is shown alone
     QString m_lastUsed;    ///< name of the dock that had the focus last
     QString m_forward;     ///< name of the dock that comes to the front with the next layout
-    std::array<QByteArray, kKinds> m_layouts; ///< of the kinds that are not shown; empty: never shown
-    std::array<bool, kKinds> m_default{
-        true, true, true, true, true, true, true}; ///< shares its space anew when it is shown or resized
+    std::array<QByteArray, kLayouts> m_layouts; ///< of those that are not shown; empty: never shown
+    std::array<bool, kLayouts> m_default{};     ///< shares its space anew when it is shown or resized
     bool m_hasScene = false;
-    std::array<bool, kKinds> m_sceneClosed{}; ///< by a person, in the layout of a kind
-    bool m_building = false;                  ///< a layout is built or restored
-    std::array<QSize, kDocks> m_sizes{};      ///< as they were chosen; of a dock that was not seen: invalid
-    QSize m_sizesIn;                          ///< of this widget then
+    std::array<bool, kLayouts> m_sceneClosed{}; ///< by a person
+    bool m_building = false;                    ///< a layout is built or restored
+    std::array<QSize, kDocks> m_sizes{};        ///< as they were chosen; of a dock that was not seen: invalid
+    QSize m_sizesIn;                            ///< of this widget then
 };
 
 } // namespace teleta::console

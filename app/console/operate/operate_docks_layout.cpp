@@ -5,10 +5,12 @@
 
 #include <QDockWidget>
 #include <QScopedValueRollback>
+#include <QScrollArea>
 #include <QSet>
 #include <QTabBar>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 namespace teleta::console {
@@ -36,6 +38,10 @@ void OperateDocks::arrangeKind() {
             continue;
         addDockWidget(Qt::BottomDockWidgetArea, m_docks[i]);
         m_docks[i]->hide();
+    }
+    if (isStacked()) {
+        arrangeStacked();
+        return;
     }
     if (m_kind == Kind::camera) {
         addDockWidget(Qt::LeftDockWidgetArea, m_docks[camera]);
@@ -116,7 +122,66 @@ void OperateDocks::arrangeKind() {
     m_docks[jog]->raise();
 }
 
+/// The other kinds have room enough as they are.
+bool OperateDocks::isStacked() const {
+    return m_small &&
+           (m_kind == Kind::array || m_kind == Kind::arm || m_kind == Kind::servo || m_kind == Kind::joints);
+}
+
+void OperateDocks::arrangeStacked() {
+    const bool moves = m_kind == Kind::arm || m_kind == Kind::joints;
+    const std::array pictures{moves || m_kind == Kind::servo ? reconstruction : heatmap,
+                              moves || m_kind == Kind::servo ? heatmap : reconstruction,
+                              joints,
+                              contour,
+                              charts,
+                              runs,
+                              touches,
+                              objects,
+                              marks,
+                              scene};
+    const std::array forms{moves                   ? jog
+                           : m_kind == Kind::servo ? servo
+                                                   : processing,
+                           bracelet, feedback, processing};
+    addDockWidget(Qt::LeftDockWidgetArea, m_docks[pictures.front()]);
+    addDockWidget(Qt::RightDockWidgetArea, m_docks[forms.front()]);
+    if (m_kind == Kind::arm) {
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[stiffness]);
+        splitDockWidget(m_docks[stiffness], m_docks[forms.front()], Qt::Vertical);
+        m_docks[stiffness]->show();
+    }
+    const auto stack = [this](const auto& docks) {
+        for (const Dock dock : docks) {
+            if (!belongs(m_kind, dock))
+                continue;
+            if (dock != docks.front())
+                tabifyDockWidget(m_docks[docks.front()], m_docks[dock]);
+            m_docks[dock]->setVisible(dock != scene);
+        }
+        m_docks[docks.front()]->raise();
+    };
+    stack(pictures);
+    stack(forms);
+}
+
+void OperateDocks::shareStacked() {
+    const bool isForced = m_kind == Kind::servo;
+    const int side = base::em(this, m_kind == Kind::array ? 18 : isForced ? 25 : 24);
+    const Dock form = m_kind == Kind::array ? processing : isForced ? servo : jog;
+    share({{{heatmap, reconstruction}, std::max(width() - side, side)}, {{form}, side}}, Qt::Horizontal);
+    if (m_kind != Kind::arm)
+        return;
+    const int hand = neededHeight(jog);
+    const int above = std::max(height() - hand, base::em(this, 7));
+    share({{{stiffness}, above}, {{jog}, std::max(height() - above, 1)}}, Qt::Vertical);
+}
+
 void OperateDocks::shareSpace() {
+    if (isStacked()) {
+        shareStacked();
+        return;
+    }
     shareAmongKind();
     // The scene has taken a part of what it stands beside, or below.
     if (!isUsed(scene) || m_docks[scene]->isHidden() || m_kind == Kind::scene)
@@ -165,12 +230,20 @@ void OperateDocks::shareAmongKind() {
         {{{heatmap}, rest * 9 / 20}, {{reconstruction}, rest * 11 / 20}, {{stiffness, bracelet, jog}, side}},
         Qt::Horizontal);
     // The hand controls are whole where there is room, and scroll before the pictures are cut.
-    const int hand = m_docks[jog]->sizeHint().height() + base::em(this, 2);
-    const int pictures = std::clamp(height() - hand, base::em(this, 23), base::em(this, 27));
+    const int hand = neededHeight(jog);
+    const int pictures = std::clamp(height() - hand, base::em(this, 18), base::em(this, 27));
     share({{{stiffness}, pictures * 14 / 27},
            {{bracelet}, pictures * 13 / 27},
            {{jog}, std::max(height() - pictures, 1)}},
           Qt::Vertical);
+}
+
+/// Of a form with the tabs above it, when nothing of it scrolls.
+int OperateDocks::neededHeight(Dock dock) const {
+    const QWidget* form = m_docks[dock]->widget();
+    if (const auto* room = qobject_cast<const QScrollArea*>(form))
+        form = room->widget(); // the room itself limits and remembers what it would like
+    return form->sizeHint().height() + base::em(this, 2);
 }
 
 QDockWidget* OperateDocks::standing(std::initializer_list<Dock> docks) const {

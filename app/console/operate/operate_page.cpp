@@ -192,6 +192,11 @@ void OperatePage::passOver(SourceManager::Item& item) {
     item.channel->drain();
 }
 
+void OperatePage::setCompact(bool low, bool small) {
+    m_arm->setCompact(low || small, small);
+    m_docks->setSmall(small);
+}
+
 void OperatePage::tick() {
     const std::int64_t now_ns = core::steadyNow_ns();
     for (SourceManager::Item& item : m_sources.items()) {

@@ -61,6 +61,8 @@ public:
     /// Readings of the open sources for the status bar.
     [[nodiscard]] std::vector<chrome::DeviceReading> readings() const;
 
+    /// In a low window the controls are lower, in a small one the pictures lie upon each other, too.
+    void setCompact(bool low, bool small);
     [[nodiscard]] chrome::SourceChooser& chooser() { return *m_chooser; }
     /// Demo scenes for the menu, and the cards of the start page: see startCards().
     void setDemos(const std::vector<chrome::SourceChooser::Demo>& demos,

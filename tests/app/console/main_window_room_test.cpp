@@ -11,6 +11,8 @@
 #include "widgets/chrome/start/first_steps.h"
 #include "widgets/chrome/start/recent_list.h"
 #include "widgets/chrome/stop_button.h"
+#include "widgets/touch/jog/jog_panel.h"
+#include "widgets/touch/stiffness_gauge.h"
 #include "widgets/view3d/vtk/gl_setup.h"
 
 #include <QAction>
@@ -35,6 +37,8 @@ constexpr QSize kSmallScreen{1024, 700};
 constexpr QSize kScaledScreen{1066, 666};
 /// The same less the frame of the window.
 constexpr QSize kFramedWindow{1050, 618};
+/// A screen of 1600 x 1000 pixels at scale 2.
+constexpr QSize kScaledTwice{800, 500};
 /// Of the first start on a screen of 1600 x 1000 pixels.
 constexpr QSize kUsualSize{1342, 860};
 
@@ -222,6 +226,100 @@ private slots:
             const auto fits = [&page] {
                 const QSize room = page.parentWidget()->size();
                 return page.width() <= room.width() && page.height() <= room.height();
+            };
+            QTRY_VERIFY2(fits(), qPrintable(name));
+        }
+        languages().front()->trigger();
+    }
+
+    void aSmallWindowShowsWhatMatters_data() {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QStringList>("seen");
+        QTest::newRow("arm") << QStringLiteral(":/scenes/teleta-touch.toml")
+                             << QStringList{"stiffness", "reconstruction", "jog"};
+        QTest::newRow("array") << QStringLiteral(":/scenes/tactile-two-contacts.toml")
+                               << QStringList{"heatmap", "processing"};
+        QTest::newRow("servo") << QStringLiteral(":/scenes/servo-bent-bar.toml")
+                               << QStringList{"reconstruction", "servo"};
+        QTest::newRow("camera") << QStringLiteral(":/scenes/vtacarm-multicontact.toml")
+                                << QStringList{"camera", "reconstruction"};
+        QTest::newRow("gel") << QStringLiteral(":/scenes/gel-press.toml")
+                             << QStringList{"gel", "reconstruction"};
+    }
+    void aSmallWindowShowsWhatMatters() {
+        QFETCH(QString, scene);
+        QFETCH(QStringList, seen);
+        ConsoleOptions options;
+        options.size = kScaledTwice;
+        options.scenes = {scene};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
+        auto& page = m_window->operatePage();
+        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
+        const auto isWhole = [this](const QWidget* widget) {
+            return widget->isVisible() &&
+                   m_window->rect().contains(QRect(widget->mapTo(m_window.get(), QPoint()), widget->size()));
+        };
+        for (auto i = languages().size() - 1; i >= 0; --i) {
+            if (languages()[i]->isSeparator())
+                continue;
+            const QString name = languages()[i]->text();
+            languages()[i]->trigger();
+            const auto fits = [&page] {
+                const QSize room = page.parentWidget()->size();
+                return page.width() <= room.width() && page.height() <= room.height();
+            };
+            QTRY_VERIFY2(fits(), qPrintable(name));
+            for (const QString& view : seen)
+                QTRY_VERIFY2(isWhole(m_window->findChild<QDockWidget*>(view)), qPrintable(name + ' ' + view));
+            QVERIFY2(isWhole(child<chrome::StopButton>()), qPrintable(name));
+            if (!seen.contains("jog"))
+                continue;
+            const auto* gauge = child<touch::StiffnessGauge>();
+            QVERIFY2(QRectF(gauge->rect()).contains(gauge->layoutNow().sign), qPrintable(name));
+            const QWidget& jog = *child<touch::JogPanel>();
+            const auto* hold = jog.findChild<QWidget*>("deadMan");
+            const QWidget& room = *jog.parentWidget()->parentWidget();
+            QVERIFY2(room.rect().contains(QRect(hold->mapTo(&room, QPoint()), hold->size())),
+                     qPrintable(name));
+        }
+        languages().front()->trigger();
+    }
+
+    void whatWasClosedStaysClosedInASmallWindow() {
+        ConsoleOptions options;
+        options.size = kUsualSize;
+        options.scenes = {QStringLiteral(":/scenes/tactile-two-contacts.toml")};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        m_window->findChild<QDockWidget*>("charts")->close();
+        settle();
+        const QSize heatmap = dock("heatmap").size();
+        m_window->resize(kScaledTwice);
+        const auto isStacked = [this] { return dock("heatmap").height() > dock("heatmap").width() / 2; };
+        QTRY_VERIFY(dock("heatmap").isVisible() && isStacked());
+        QVERIFY(m_window->findChild<QDockWidget*>("charts")->isHidden());
+        m_window->resize(kUsualSize);
+        QTRY_COMPARE(dock("heatmap").size(), heatmap);
+        QVERIFY(m_window->findChild<QDockWidget*>("charts")->isHidden());
+        QVERIFY(dock("reconstruction").isVisible());
+    }
+
+    void nothingOfJogScrollsInALowWindow() {
+        ConsoleOptions options;
+        options.size = kSmallScreen;
+        options.scenes = {QStringLiteral(":/scenes/teleta-touch.toml")};
+        openWindow(options);
+        QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
+        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
+        for (auto i = languages().size() - 1; i >= 0; --i) {
+            if (languages()[i]->isSeparator())
+                continue;
+            const QString name = languages()[i]->text();
+            languages()[i]->trigger();
+            const QWidget& jog = *child<touch::JogPanel>();
+            const auto fits = [&jog] {
+                return jog.parentWidget()->parentWidget()->height() >= jog.parentWidget()->height();
             };
             QTRY_VERIFY2(fits(), qPrintable(name));
         }

@@ -35,6 +35,22 @@ private slots:
         QCOMPARE(m_rail->width(), usual);
     }
 
+    void inASmallWindowItHasIconsWhoseToolTipsNameThePages() {
+        const int usual = m_rail->width();
+        m_rail->setIconsOnly(true);
+        QVERIFY(m_rail->width() < usual);
+        auto* button = m_rail->findChildren<QToolButton*>().at(1);
+        QVERIFY(button->text().isEmpty());
+        QVERIFY(button->toolTip().startsWith("Patterns\nWhat the bracelet plays"));
+        QCOMPARE(button->accessibleName(), QStringLiteral("Patterns"));
+        QSignalSpy requests(m_rail, &PageRail::pageRequested);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(requests.size(), 1);
+        m_rail->setIconsOnly(false);
+        QCOMPARE(m_rail->width(), usual);
+        QCOMPARE(button->text(), QStringLiteral("Patterns"));
+    }
+
     void asksForThePageThatIsClicked() {
         QSignalSpy requests(m_rail, &PageRail::pageRequested);
         QTest::mouseClick(m_rail->findChildren<QToolButton*>().at(1), Qt::LeftButton);
