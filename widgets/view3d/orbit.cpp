@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view3d/orbit.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,6 +26,13 @@ Eigen::Vector3d Orbit::up() const {
 Orbit Orbit::turned(double azimuthStep_rad, double elevationStep_rad) const {
     return {.azimuth_rad = std::remainder(azimuth_rad + azimuthStep_rad, 2.0 * std::numbers::pi),
             .elevation_rad = std::clamp(elevation_rad + elevationStep_rad, -kRightAngle, kRightAngle)};
+}
+
+std::vector<Eigen::Vector3d> cornersOf(const Eigen::AlignedBox3d& box_m) {
+    std::vector<Eigen::Vector3d> corners_m;
+    for (int corner = 0; corner < 8 && !box_m.isEmpty(); ++corner)
+        corners_m.push_back(box_m.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    return corners_m;
 }
 
 Orbit orbitOf(CameraPreset preset) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <span>
+#include <vector>
 
 namespace teleta::view3d {
 
@@ -29,6 +31,9 @@ enum class CameraPreset {
 };
 
 [[nodiscard]] Orbit orbitOf(CameraPreset preset);
+
+/// The eight corners of a box; of an empty one none.
+[[nodiscard]] std::vector<Eigen::Vector3d> cornersOf(const Eigen::AlignedBox3d& box_m);
 
 /// Camera settings that show all corners.
 struct CameraFit {

@@ -109,7 +109,7 @@ void Scene3dView::retranslate() {
     name(parts.presets[1], tr("Top"), tr("Look from above"));
     name(parts.presets[2], tr("Side"), tr("Look from the right"));
     name(parts.presets[3], tr("Isometric"), tr("Look from a corner"));
-    name(parts.reset, tr("Show all"), tr("Back to the initial view: everything from a corner"));
+    name(parts.reset, tr("Initial view"), tr("Back to the view of the beginning, from a corner"));
     name(parts.follow, tr("Follow contact"),
          tr("Keep the strongest contact in the middle, or the arm's hand while nothing is touched"));
     name(parts.onHand, tr("From the hand"),

@@ -133,9 +133,8 @@ void Scene3dView::refresh() {
 
 void Scene3dView::sceneMoved(bool refit) {
     std::vector<Eigen::Vector3d> corners = m_parts->scene.corners();
-    const Eigen::AlignedBox3d scenery = m_parts->marks.scenery.box_m();
-    for (int corner = 0; corner < 8 && !scenery.isEmpty(); ++corner)
-        corners.push_back(scenery.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    const std::vector<Eigen::Vector3d> scenery = cornersOf(m_parts->marks.scenery.box_m());
+    corners.insert(corners.end(), scenery.begin(), scenery.end());
     m_parts->camera.setScene(std::move(corners), refit);
     if (m_parts->onHand->isChecked())
         m_parts->camera.standOnHand(sensorPose(), m_parts->scene.sensorSize().radius_m());
@@ -306,6 +305,10 @@ void Scene3dView::setGel(const pipeline::GelSnapshot* snapshot, double enlargeme
     m_parts->vtk->requestRender();
 }
 
+void Scene3dView::setSubject(const Eigen::AlignedBox3d& box_m) {
+    m_parts->camera.setSubject(box_m);
+}
+
 void Scene3dView::look(CameraPreset preset) {
     m_parts->camera.look(preset);
     m_parts->onHand->setChecked(false);
@@ -332,14 +335,13 @@ core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {
 }
 
 bool Scene3dView::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const QPoint place = m_parts->vtk->mapFromGlobal(help->globalPos());
-        const QString text = wordsAt(m_parts->scene, m_parts->pointAt(place));
-        text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
-        return true;
-    }
-    return QWidget::event(event);
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const QPoint place = m_parts->vtk->mapFromGlobal(help->globalPos());
+    const QString text = wordsAt(m_parts->scene, m_parts->pointAt(place));
+    text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
+    return true;
 }
 
 void Scene3dView::applyPalette() {

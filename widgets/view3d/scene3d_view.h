@@ -94,9 +94,12 @@ public:
     /// one a contact, see GelPart.
     void setGel(const pipeline::GelSnapshot* snapshot, double enlargement, std::span<const GelWords> words);
 
+    /// Around what the view shows first, and whenever it shows everything, instead of all that there is, in
+    /// the world frame; empty: all.
+    void setSubject(const Eigen::AlignedBox3d& box_m);
     void look(CameraPreset preset);
     [[nodiscard]] const Orbit& orbit() const;
-    /// The isometric view of everything.
+    /// The isometric view of everything, or of the subject.
     void resetView();
     /// Shows all of another source: nothing of the last one is followed any more.
     void frame();

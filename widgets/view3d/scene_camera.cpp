@@ -43,6 +43,12 @@ void SceneCamera::setScene(std::vector<Eigen::Vector3d> corners_m, bool refit) {
     update(refit);
 }
 
+void SceneCamera::setSubject(const Eigen::AlignedBox3d& box_m) {
+    const bool isOther = box_m.isEmpty() != m_subject_m.empty();
+    m_subject_m = cornersOf(box_m);
+    update(isOther);
+}
+
 void SceneCamera::setAspect(double aspect) {
     if (aspect > 0.0 && aspect != m_aspect) {
         m_aspect = aspect;
@@ -124,13 +130,10 @@ void SceneCamera::update(bool refit) {
     if (m_fitted && refit) {
         fit();
     } else if (m_fitted) {
-        for (const Eigen::Vector3d& corner : m_corners_m)
+        for (const Eigen::Vector3d& corner : subject_m())
             m_seen_m.extend(corner);
         if (leavesPicture()) {
-            std::vector<Eigen::Vector3d> corners_m;
-            for (int corner = 0; corner < 8; ++corner)
-                corners_m.push_back(m_seen_m.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
-            fitTo(corners_m);
+            fitTo(cornersOf(m_seen_m));
         }
     }
     apply();
@@ -139,7 +142,7 @@ void SceneCamera::update(bool refit) {
 bool SceneCamera::leavesPicture() const {
     const Eigen::Vector3d up = m_orbit.up();
     const Eigen::Vector3d right = up.cross(m_orbit.direction());
-    return std::ranges::any_of(m_corners_m, [&](const Eigen::Vector3d& corner) {
+    return std::ranges::any_of(subject_m(), [&](const Eigen::Vector3d& corner) {
         const Eigen::Vector3d from_m = corner - m_focal_m;
         const double depth_m = m_parallel ? m_distance_m : m_distance_m - from_m.dot(m_orbit.direction());
         const double half_m = kLeave * depth_m * std::tan(0.5 * kViewAngle_rad);
@@ -150,9 +153,9 @@ bool SceneCamera::leavesPicture() const {
 void SceneCamera::fit() {
     m_fitted = true;
     m_seen_m.setEmpty();
-    for (const Eigen::Vector3d& corner : m_corners_m)
+    for (const Eigen::Vector3d& corner : subject_m())
         m_seen_m.extend(corner);
-    fitTo(m_corners_m);
+    fitTo(subject_m());
 }
 
 void SceneCamera::fitTo(const std::vector<Eigen::Vector3d>& corners_m) {

@@ -17,10 +17,10 @@ class vtkRenderer;
 
 namespace teleta::view3d {
 
-/// The camera of the scene: an orbit around a focal point, with z up. It stays fitted to the scene until the
-/// user zooms or moves it: where the scene would leave the picture, the camera goes back so far that all
-/// places at which it was since the last fit are seen. Or it stands on a hand: then orbit and focal point are
-/// in the frame of the hand, and what the user turns and moves stays as the hand goes. Thread: GUI.
+/// The camera of the scene: an orbit around a focal point, with z up. It stays fitted to the scene, or to its
+/// subject, until the user zooms or moves it: where that would leave the picture, the camera goes back so far
+/// that all places at which it was since the last fit are seen. Or it stands on a hand: then orbit and focal
+/// point are in the frame of the hand, and what the user turns and moves stays as the hand goes. Thread: GUI.
 class SceneCamera {
 public:
     explicit SceneCamera(vtkRenderer* renderer);
@@ -28,8 +28,10 @@ public:
     /// Called after every change of what it sees.
     void onChange(std::function<void()> changed) { m_changed = std::move(changed); }
 
-    /// Corners that must be visible. refit: fits the camera again, unless the user moved it.
+    /// Corners of all that there is. refit: fits the camera again, unless the user moved it.
     void setScene(std::vector<Eigen::Vector3d> corners_m, bool refit);
+    /// Around what is looked at in the end, to which the camera is fitted; empty: all that there is.
+    void setSubject(const Eigen::AlignedBox3d& box_m);
     /// width/height of the picture; keeps the fit.
     void setAspect(double aspect);
     /// Sets the direction of view and fits the scene.
@@ -79,6 +81,9 @@ private:
     void fitTo(const std::vector<Eigen::Vector3d>& corners_m);
     /// Whether a corner is outside of the picture, or nearly.
     [[nodiscard]] bool leavesPicture() const;
+    [[nodiscard]] const std::vector<Eigen::Vector3d>& subject_m() const {
+        return m_subject_m.empty() ? m_corners_m : m_subject_m;
+    }
     void apply();
     [[nodiscard]] Eigen::Matrix3d toWorld() const {
         return m_X_World_Hand ? m_X_World_Hand->linear() : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
@@ -87,7 +92,8 @@ private:
     vtkRenderer* m_renderer;
     std::function<void()> m_changed;
     std::vector<Eigen::Vector3d> m_corners_m;
-    Eigen::AlignedBox3d m_seen_m; ///< all corners since the last fit
+    std::vector<Eigen::Vector3d> m_subject_m;
+    Eigen::AlignedBox3d m_seen_m; ///< all corners of the subject since the last fit
     /// Frame of orbit and focal point, its z towards the hand; empty: the world.
     std::optional<Eigen::Isometry3d> m_X_World_Hand;
     Orbit m_orbit = orbitOf(CameraPreset::isometric);

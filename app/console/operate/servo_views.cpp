@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kLinkRadius_m = 0.05;
 constexpr double kWristRadius_m = 0.03;
+constexpr double kHand_m = 0.06; ///< around the array
 
 /// A tube from one point to another.
 view3d::ArmLink between(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m, double radius_m) {
@@ -72,6 +73,7 @@ void ServoViews::setServo(std::shared_ptr<servo::ServoLink> servo, const QString
     m_scene.setContour(m_edge.points_m, m_edge.points_m, {}, {});
     m_scene.setArmLinks({});
     m_scene.forgetArm();
+    m_scene.setSubject({});
     m_scene.setSensorPose(Eigen::Isometry3d::Identity());
     m_scene.setSurface(view3d::Surface::plate);
     // Nothing new may come: what it said last is said again.
@@ -136,11 +138,26 @@ std::array<view3d::ArmLink, 4> ServoViews::linksOf(const servo::ServoReport& rep
             between(joint[3], joint[5], kLinkRadius_m), between(joint[5], sensor_m, kWristRadius_m)};
 }
 
+/// Around the end of the arm and what it touches: the rest of the arm would make both tiny.
+Eigen::AlignedBox3d ServoViews::handAndBody(const servo::ServoReport& report) const {
+    const servo::TouchedBody& body = m_servo->body;
+    Eigen::AlignedBox3d box_m;
+    const auto add = [&box_m](const Eigen::Vector3d& p, double around_m) {
+        box_m.extend(p - Eigen::Vector3d::Constant(around_m));
+        box_m.extend(p + Eigen::Vector3d::Constant(around_m));
+    };
+    add(report.X_Base_Sensor.translation(), kHand_m);
+    for (const Eigen::Vector3d& p : body.axis_m)
+        add(report.X_Base_Object * p, body.radius_m);
+    return box_m;
+}
+
 void ServoViews::showArm(const servo::ServoReport& report) {
     m_scene.setArmLinks(linksOf(report));
     m_scene.setSensorPose(report.X_Base_Sensor);
     m_scene.setTip(report.X_Base_Sensor.translation(), report.time_s);
     m_scene.setJoints(servoDials(report.angle_rad, kLinkRadius_m));
+    m_scene.setSubject(handAndBody(report));
     if (m_servo->body.axis_m.empty())
         return;
     view3d::SceneryItem body;

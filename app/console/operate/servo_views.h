@@ -70,6 +70,7 @@ private:
     void addToEdge(const Eigen::Vector3d& p_Base_Contact);
     void show(const servo::ServoReport& report);
     void showArm(const servo::ServoReport& report);
+    [[nodiscard]] Eigen::AlignedBox3d handAndBody(const servo::ServoReport& report) const;
 
     view3d::Scene3dView& m_scene;
     servo::ServoPanel* m_panel;

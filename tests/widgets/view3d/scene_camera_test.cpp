@@ -38,6 +38,33 @@ double farthest(vtkRenderer* renderer, const Corners& corners) {
 
 } // namespace
 
+TEST(SceneCamera, aSubjectFillsThePictureInsteadOfAll) {
+    const vtkNew<vtkRenderer> renderer;
+    SceneCamera camera(renderer);
+    camera.setScene(stick(0.5), true);
+    const double all_m = camera.visibleHeight_m();
+    const Eigen::AlignedBox3d handBox({0.1, 0.1, 0.4}, {0.2, 0.2, 0.5});
+    const Corners hand = cornersOf(handBox);
+    camera.setSubject(handBox);
+    const double near_m = camera.visibleHeight_m();
+    EXPECT_LT(near_m, 0.5 * all_m);
+    EXPECT_GT(farthest(renderer, hand), 0.6);
+    EXPECT_LT(farthest(renderer, hand), 0.9);
+    // It stays in the picture as it moves, and so does the rest behind it.
+    const Eigen::AlignedBox3d movedBox({0.1, 0.1, 0.6}, {0.2, 0.2, 0.7});
+    const Corners moved = cornersOf(movedBox);
+    camera.setSubject(movedBox);
+    EXPECT_LE(farthest(renderer, moved), 0.98);
+    double range_m[2];
+    renderer->GetActiveCamera()->GetClippingRange(range_m);
+    EXPECT_GT(range_m[1], (Eigen::Vector3d(0.15, 0.15, 0.55)).norm()); // the base of the stick is behind it
+    camera.zoom(3.0);
+    camera.look(CameraPreset::isometric);
+    EXPECT_GT(farthest(renderer, moved), 0.6);
+    camera.setSubject(Eigen::AlignedBox3d());
+    EXPECT_NEAR(camera.visibleHeight_m(), all_m, 1e-9);
+}
+
 TEST(SceneCamera, whatMovesStaysInThePicture) {
     for (const bool parallel : {false, true}) {
         const vtkNew<vtkRenderer> renderer;
