@@ -22,6 +22,9 @@ namespace teleta::chrome {
 
 namespace {
 
+/// Of a name that stay when it is cut so that a rate stays.
+constexpr qsizetype kNameLetters = 16;
+
 QString cutToWidth(QString text, double width, const QFontMetricsF& metrics) {
     if (base::tabularWidth(metrics, text) <= width)
         return text;
@@ -151,9 +154,16 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& nam
     return parts.join(QStringLiteral("  "));
 }
 
-QString DeviceStrip::cutShort(const Cell& cell, double room_px) const {
+bool DeviceStrip::cutsTooMuch(const Cell& cell, double room_px) const {
     const QFontMetricsF metrics(font());
-    const QString rest = compose(cell, Detail::cutShort, {});
+    const double name_px = room_px - base::tabularWidth(metrics, compose(cell, Detail::cutNames, {}));
+    return cutInside(cell.reading.name, name_px, metrics).size() <
+           std::min(kNameLetters, cell.reading.name.size());
+}
+
+QString DeviceStrip::cutShort(const Cell& cell, Detail detail, double room_px) const {
+    const QFontMetricsF metrics(font());
+    const QString rest = compose(cell, detail, {});
     const QString whole =
         cutInside(cell.reading.name, room_px - base::tabularWidth(metrics, rest), metrics) + rest;
     return base::tabularWidth(metrics, whole) <= room_px ? whole
@@ -179,20 +189,23 @@ int DeviceStrip::place(Detail detail) {
         cell.shown = compose(cell, detail, cell.reading.name);
         // A name is shortened only when the word is gone, but for one that warns.
         const bool warns = cell.reading.provenance == base::Provenance::unguarded;
-        cell.word = detail < Detail::shortWords           ? wordOf(cell.reading.provenance)
-                    : detail != Detail::cutShort || warns ? shortWordOf(cell.reading.provenance)
-                                                          : QString();
+        cell.word = detail < Detail::shortWords ? wordOf(cell.reading.provenance)
+                    : (detail != Detail::cutNames && detail != Detail::cutShort) || warns
+                        ? shortWordOf(cell.reading.provenance)
+                        : QString();
         widths.push_back(std::ceil(besideText(cell) + base::tabularWidth(metrics, cell.shown)));
     }
-    const double most = detail == Detail::cutShort
+    const double most = detail == Detail::cutShort || detail == Detail::cutNames
                             ? fairShare(widths, width() - (static_cast<double>(m_cells.size()) - 1.0) * gap)
                             : std::numeric_limits<double>::infinity();
     int left = 0;
     for (std::size_t index = 0; index < m_cells.size(); ++index) {
         Cell& cell = m_cells[index];
         const double beside = besideText(cell);
+        if (widths[index] > most && detail == Detail::cutNames && cutsTooMuch(cell, most - beside))
+            return std::numeric_limits<int>::max();
         if (widths[index] > most)
-            cell.shown = cutShort(cell, most - beside);
+            cell.shown = cutShort(cell, detail, most - beside);
         const double width = beside + base::tabularWidth(metrics, cell.shown);
         cell.rect = QRect(left, 0, static_cast<int>(std::ceil(width)), base::em(this, 1.75));
         left = cell.rect.right() + 1 + gap;
@@ -204,7 +217,7 @@ void DeviceStrip::arrange() {
     const int wanted_px = place(Detail::all);
     if (wanted_px > width()) {
         for (const Detail detail : {Detail::withoutLatencies, Detail::shortWords, Detail::nameAndRate,
-                                    Detail::troubles, Detail::cutShort})
+                                    Detail::cutNames, Detail::troubles, Detail::cutShort})
             if (place(detail) <= width())
                 break;
     }

@@ -32,7 +32,8 @@ struct DeviceReading {
 
 /// The devices in the status bar: symbol, name, state, rate and losses of each. When space is short the texts
 /// are reduced step by step: first without latencies, then with a short word for what is not live, then
-/// without devices' normal states, finally the longest are elided; the tool tip and assistive tools always
+/// without devices' normal states, then long names are cut in the middle, then the rates go, finally the
+/// longest are cut shorter still; the tool tip and assistive tools always
 /// have the full text. A click asks for the device's views. Numbers change only by visible steps. Thread:
 /// GUI.
 class DeviceStrip : public QWidget {
@@ -61,7 +62,7 @@ protected:
 
 private:
     /// Of the full text.
-    enum class Detail { all, withoutLatencies, shortWords, nameAndRate, troubles, cutShort };
+    enum class Detail { all, withoutLatencies, shortWords, nameAndRate, cutNames, troubles, cutShort };
     struct Cell {
         DeviceReading reading;
         base::SteadyNumber rate{1.0};
@@ -73,8 +74,10 @@ private:
         QRect rect;
     };
     [[nodiscard]] QString compose(const Cell& cell, Detail detail, const QString& name) const;
-    /// The device's problem, after as much of its name as fits.
-    [[nodiscard]] QString cutShort(const Cell& cell, double room_px) const;
+    /// What else is told of the device, after as much of its name as fits.
+    [[nodiscard]] QString cutShort(const Cell& cell, Detail detail, double room_px) const;
+    /// Whether so little room would leave less of a name than tells it from others.
+    [[nodiscard]] bool cutsTooMuch(const Cell& cell, double room_px) const;
     [[nodiscard]] QFont smallFont() const;
     /// Width of a cell without its text.
     [[nodiscard]] double besideText(const Cell& cell) const;
