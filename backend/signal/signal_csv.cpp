@@ -12,17 +12,18 @@
 namespace teleta::signal {
 
 core::Expected<void> writeSignalCsv(const std::string& path, std::span<const CsvSignal> written,
-                                    double from_s, double to_s) {
-    std::vector<std::string_view> columns{"time_s"};
+                                    double from_s, double to_s, std::string_view timeName) {
+    std::vector<std::string_view> columns{timeName};
     std::vector<std::size_t> next;
     for (const CsvSignal& signal : written) {
         columns.push_back(signal.name);
-        next.push_back(signal.series.firstAt(from_s));
+        next.push_back(signal.series.firstAt(from_s - signal.shift_s));
     }
     TELETA_TRY(auto csv, core::CsvWriter::create(path, columns));
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const auto timeOf = [&](std::size_t i) {
-        return next[i] < written[i].series.size() ? written[i].series.time_s(next[i]) : kNone;
+        const CsvSignal& signal = written[i];
+        return next[i] < signal.series.size() ? signal.shift_s + signal.series.time_s(next[i]) : kNone;
     };
     while (!csv.failed()) {
         double time_s = kNone;

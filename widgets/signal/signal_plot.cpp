@@ -31,7 +31,7 @@ constexpr double kZoomStep = 1.25;
 constexpr double kScrollShare = 0.1; ///< of the span, a key or a notch
 constexpr double kLine_px = 1.5;
 constexpr double kReach_px = 6.0;
-constexpr double kLongestSpan_s = 1e7;
+constexpr double kLongestSpan_s = 1e9; ///< clock times of recordings may be years apart
 /// Samples are marked where they are at least so far apart.
 constexpr double kMarked_px = 8.0;
 /// Power that is drawn at least, below the largest.
@@ -54,7 +54,6 @@ SignalPlot::SignalPlot(QWidget* parent)
     m_plot->setMouseTracking(true);
     m_plot->setPlottingHint(QCP::phFastPolylines);
     m_plot->installEventFilter(this);
-    m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new StepTicker));
     m_plot->addLayer(QLatin1String(kCursorLayer));
     m_plot->layer(QLatin1String(kCursorLayer))->setMode(QCPLayer::lmBuffered);
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
@@ -118,13 +117,30 @@ void SignalPlot::arrange() {
     m_dirty = true;
 }
 
-std::optional<ValueRange> SignalPlot::extent_s() const {
+void SignalPlot::setClockTime(bool clock) {
+    if (std::exchange(m_clock, clock) == clock)
+        return;
+    styleTime();
+    m_dirty = true;
+}
+
+void SignalPlot::styleTime() {
+    if (m_clock)
+        m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new ClockTicker));
+    else
+        m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new StepTicker));
+    m_plot->xAxis->setLabel(
+        m_clock ? tr("clock time")
+                : base::titleWithUnit(tr("time since the start of each source"), QStringLiteral("s")));
+}
+
+std::optional<ValueRange> SignalPlot::extent_s(bool growing) const {
     std::optional<ValueRange> extent;
     for (const PlotCurve& curve : m_curves) {
-        if (!curve.series || curve.series->empty())
+        if (!curve.series || curve.series->empty() || (growing && !curve.grows))
             continue;
-        const double first_s = curve.series->time_s(0);
-        const double last_s = curve.series->time_s(curve.series->size() - 1);
+        const double first_s = curve.shift_s + curve.series->time_s(0);
+        const double last_s = curve.shift_s + curve.series->time_s(curve.series->size() - 1);
         if (!extent)
             extent = ValueRange{first_s, last_s};
         extent->low = std::min(extent->low, first_s);
@@ -147,7 +163,8 @@ void SignalPlot::refresh() {
     if (!m_dirty || !isVisible())
         return;
     m_dirty = false;
-    const auto extent = extent_s();
+    const auto growing = extent_s(true);
+    const auto extent = growing ? growing : extent_s();
     if (m_following && extent && extent->high != m_to_s) {
         const double span = span_s();
         m_to_s = extent->high;
@@ -164,11 +181,12 @@ void SignalPlot::draw() {
         const PlotCurve& curve = m_curves[i];
         if (!curve.series)
             continue;
-        const auto range = curve.series->line(m_from_s, m_to_s, span_s() / width_px, m_line);
+        const auto range =
+            curve.series->line(m_from_s - curve.shift_s, m_to_s - curve.shift_s, span_s() / width_px, m_line);
         QVector<QCPGraphData> points;
         points.reserve(static_cast<qsizetype>(m_line.size()));
         for (const Sample& sample : m_line)
-            points.append(QCPGraphData(sample.time_s, sample.value));
+            points.append(QCPGraphData(curve.shift_s + sample.time_s, sample.value));
         // Strokes that cross each other in every column take seconds when they are smooth and wide.
         const bool dense = static_cast<double>(m_line.size()) > width_px;
         m_graphs[i]->setAntialiased(!dense);
@@ -490,7 +508,7 @@ void SignalPlot::restyle(const QPalette& colours) {
     m_colours = colours;
     plot::stylePlot(*m_plot, colours, font());
     m_plot->setLocale(locale());
-    m_plot->xAxis->setLabel(base::titleWithUnit(tr("time"), QStringLiteral("s")));
+    styleTime();
     m_plot->xAxis->setSubTickPen(Qt::NoPen);
     m_axes.restyle(colours, font());
     const QColor accent = colours.color(QPalette::Highlight);

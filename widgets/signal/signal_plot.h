@@ -33,10 +33,12 @@ struct PlotCurve {
     std::shared_ptr<const Series> series;     ///< null: its source is not there
     std::shared_ptr<const Spectrum> spectrum; ///< null: none is shown
     bool events = false;                      ///< points without a line
+    double shift_s = 0.0;                     ///< from the times of the series to those of the axis
+    bool grows = true;                        ///< not a recording as a whole
 };
 
 /// Signals over time, one value axis a unit, with two cursors; below, their spectra. The time axis follows
-/// the newest sample or stands still.
+/// the newest sample, of what grows if anything does, or stands still.
 ///
 /// Mouse: drag scrolls, Ctrl and drag zooms into a rectangle, the wheel zooms the time at the pointer, over a
 /// value axis that axis, Shift and wheel scrolls, a double click shows everything; a cursor can be dragged.
@@ -54,6 +56,8 @@ public:
     void setCurves(std::vector<PlotCurve> curves);
     [[nodiscard]] const std::vector<PlotCurve>& curves() const { return m_curves; }
     void setProvenance(base::Provenance provenance);
+    /// Times are clock times, Unix times in s, instead of those since the start of each source.
+    void setClockTime(bool clock);
     /// Spectra show the density of power instead of the amplitude.
     void setDensity(bool density);
     /// Draws if anything has changed, at little cost otherwise. Call it from the display timer.
@@ -110,8 +114,9 @@ private:
     void onWheel(const QWheelEvent& event);
     [[nodiscard]] std::optional<int> cursorAt(const QPointF& point) const;
     [[nodiscard]] double timeAt(double x) const;
-    /// Oldest and newest of all samples.
-    [[nodiscard]] std::optional<ValueRange> extent_s() const;
+    /// Oldest and newest of all samples, or of those of what grows.
+    [[nodiscard]] std::optional<ValueRange> extent_s(bool growing = false) const;
+    void styleTime();
     [[nodiscard]] std::uint64_t appended() const;
 
     std::vector<PlotCurve> m_curves;
@@ -128,6 +133,7 @@ private:
     double m_from_s = 0.0, m_to_s = 10.0;
     bool m_following = true;
     bool m_density = false;
+    bool m_clock = false;
     base::Provenance m_provenance = base::Provenance::live;
     std::optional<std::array<double, 2>> m_cursors;
     bool m_dirty = true;

@@ -102,6 +102,7 @@ SignalTree::SignalTree(QWidget* parent)
     m_view->setDragEnabled(true);
     m_view->setDragDropMode(QAbstractItemView::DragOnly);
     m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setTextElideMode(Qt::ElideMiddle); // names differ at their ends, too
     m_view->setUniformRowHeights(true);
     m_view->setExpandsOnDoubleClick(true);
     m_view->setIndentation(base::grid(this, 1.5));

@@ -30,4 +30,13 @@ QString StepTicker::getTickLabel(double tick, const QLocale& locale, QChar /*for
         .replace(QLatin1Char('-'), QChar(0x2212));
 }
 
+double ClockTicker::getTickStep(const QCPRange& range) {
+    constexpr double kDay_s = 86'400.0;
+    const double step_s = QCPAxisTickerDateTime::getTickStep(range);
+    setDateTimeFormat(range.size() > kDay_s ? QStringLiteral("yyyy-MM-dd\nHH:mm")
+                      : step_s < 1.0        ? QStringLiteral("HH:mm:ss.zzz")
+                                            : QStringLiteral("HH:mm:ss"));
+    return step_s;
+}
+
 } // namespace teleta::signal

@@ -16,4 +16,11 @@ private:
     double m_step = 1.0;
 };
 
+/// Ticks of clock times, Unix times in s, in the zone of the computer: with as many decimals as their step
+/// needs, and with the date where it is longer than a day.
+class ClockTicker : public QCPAxisTickerDateTime {
+protected:
+    [[nodiscard]] double getTickStep(const QCPRange& range) override;
+};
+
 } // namespace teleta::signal

@@ -24,6 +24,7 @@ QByteArray toJson(const PlotLayout& layout) {
     return QJsonDocument(QJsonObject{{"version", kPlotLayoutVersion},
                                      {"span_s", layout.span_s},
                                      {"density", layout.density},
+                                     {"clock", layout.clock},
                                      {"signals", plotted}})
         .toJson(QJsonDocument::Compact);
 }
@@ -33,7 +34,7 @@ std::optional<PlotLayout> plotLayoutOf(const QByteArray& json) {
     const double span_s = object["span_s"].toDouble();
     if (object["version"].toInt() != kPlotLayoutVersion || !(span_s > 0.0))
         return std::nullopt;
-    PlotLayout layout{{}, span_s, object["density"].toBool()};
+    PlotLayout layout{{}, span_s, object["density"].toBool(), object["clock"].toBool()};
     for (const QJsonValue& value : object["signals"].toArray()) {
         const QJsonObject each = value.toObject();
         layout.plotted.push_back(

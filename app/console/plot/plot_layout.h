@@ -23,6 +23,7 @@ struct PlotLayout {
     std::vector<PlottedSignal> plotted;
     double span_s = 10.0; ///< of the time axis
     bool density = false; ///< spectra show the density of power
+    bool clock = false;   ///< times are clock times
 };
 
 /// As JSON.

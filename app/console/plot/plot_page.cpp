@@ -4,6 +4,7 @@
 #include "backend/signal/signal_csv.h"
 #include "widgets/base/background.h"
 #include "widgets/base/compose.h"
+#include "widgets/base/controls/elided_label.h"
 #include "widgets/base/controls/find_shortcut.h"
 #include "widgets/base/controls/provenance_stripe.h"
 #include "widgets/base/file_dialog.h"
@@ -20,6 +21,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -110,16 +112,35 @@ QWidget* PlotPage::makeToolBar() {
     m_saveMenu = new QMenu(this);
     m_saveButton->setMenu(m_saveMenu);
     m_saveButton->setPopupMode(QToolButton::InstantPopup);
-    m_badge = base::named<base::ProvenanceBadge>("plotProvenance", bar);
-    m_state = new QLabel(bar);
+    m_time = base::named<QComboBox>("plotTime", bar);
+    m_time->addItems({QString(), QString()});
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(base::grid(this), base::grid(this, 0.5), base::grid(this),
                                base::grid(this, 0.5));
     layout->setSpacing(base::grid(this));
-    base::addWidgets(layout, {m_everything, m_follow, m_cursors, m_density});
+    base::addWidgets(layout, {m_everything, m_follow, m_cursors, m_time, m_density});
     layout->addStretch(1);
-    base::addWidgets(layout, {m_badge, m_state, m_layoutsButton, m_saveButton});
+    base::addWidgets(layout, {m_layoutsButton, m_saveButton});
     return bar;
+}
+
+/// What is to be known of the signals in view.
+QWidget* PlotPage::makeStatusLine() {
+    m_status = new QWidget(this);
+    auto* layout = new QHBoxLayout(m_status);
+    layout->setContentsMargins(base::grid(this), 0, base::grid(this), base::grid(this, 0.5));
+    layout->setSpacing(base::grid(this));
+    for (std::size_t i = 0; i < m_badges.size(); ++i) {
+        m_badges[i] = new base::ProvenanceBadge(m_status);
+        m_badges[i]->setObjectName(i == 0 ? QStringLiteral("plotProvenance")
+                                          : QStringLiteral("plotProvenance%1").arg(i));
+        layout->addWidget(m_badges[i]);
+    }
+    m_state = new base::ElidedLabel(m_status);
+    m_state->setObjectName(QStringLiteral("plotState"));
+    m_state->setMinimumHeight(base::em(this, 1.5));
+    layout->addWidget(m_state, 1);
+    return m_status;
 }
 
 QWidget* PlotPage::makeMiddle() {
@@ -148,6 +169,7 @@ QWidget* PlotPage::makeMiddle() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(makeToolBar());
+    layout->addWidget(makeStatusLine());
     layout->addWidget(area, 1);
     connect(demo, &QPushButton::clicked, this, &PlotPage::demoRequested);
     connect(recording, &QPushButton::clicked, this, &PlotPage::askForRecording);
@@ -203,6 +225,7 @@ void PlotPage::connectViews() {
     connect(m_everything, &QToolButton::clicked, m_plot, &signal::SignalPlot::showEverything);
     connect(m_cursors, &QCheckBox::toggled, m_plot, &signal::SignalPlot::setCursors);
     connect(m_density, &QCheckBox::toggled, m_plot, &signal::SignalPlot::setDensity);
+    connect(m_time, &QComboBox::currentIndexChanged, this, [this](int index) { setClockTime(index == 1); });
     connect(m_layouts, &PlotLayoutsMenu::chosen, this, &PlotPage::restore);
     connect(m_layouts, &PlotLayoutsMenu::notRestored, this, [this](const QString& name) {
         m_messages->post({chrome::Message::Severity::warning,
@@ -228,6 +251,11 @@ void PlotPage::retranslate() {
     m_everything->setToolTip(tr("All samples, and axes that follow the values (Home, double click)"));
     m_cursors->setText(tr("Cursors"));
     m_cursors->setToolTip(tr("Two lines to measure between (C); Left and Right move A, with Ctrl B"));
+    m_time->setItemText(0, tr("From each start"));
+    m_time->setItemText(1, tr("Clock time"));
+    m_time->setAccessibleName(tr("Time axis"));
+    m_time->setToolTip(tr("Where the time axis begins: with each source, so that a recording lies upon what "
+                          "runs, or by the clock"));
     m_density->setText(tr("Power density"));
     m_density->setToolTip(tr("Spectra show the density of power instead of the amplitude"));
     m_layoutsButton->setText(tr("Layouts"));
@@ -263,8 +291,8 @@ void PlotPage::showSignals() {
     std::vector<signal::PlotCurve> curves;
     std::vector<signal::SignalRow> rows;
     for (const PlotSignals::Shown& each : m_signals->shown()) {
-        curves.push_back(
-            {each.name(), each.shownUnit(), each.colour, each.series(), each.spectrum, each.isOfEvents});
+        curves.push_back({each.name(), each.shownUnit(), each.colour, each.series(), each.spectrum,
+                          each.isOfEvents, m_signals->shift_s(each), !each.isRecorded});
         const QString note = each.note.isEmpty() ? each.spectrumNote : each.note;
         rows.push_back(
             {each.name(), note, each.shownUnit(), each.colour, each.what.derivative, each.what.spectrum});
@@ -272,7 +300,10 @@ void PlotPage::showSignals() {
     m_table->setRows(rows);
     m_plot->setCurves(std::move(curves));
     m_plot->setProvenance(m_signals->provenance());
-    m_badge->setProvenance(m_signals->provenance());
+    auto badge = m_badges.begin();
+    for (const base::Provenance provenance : m_signals->provenances())
+        (*badge++)->setProvenance(provenance);
+    std::for_each(badge, m_badges.end(), [](auto* free) { free->setProvenance(base::Provenance::live); });
     const bool has = !rows.empty();
     if (has && !std::exchange(m_hadSignals, true)) {
         m_plot->setRange(-kUsualSpan_s, 0.0);
@@ -280,6 +311,7 @@ void PlotPage::showSignals() {
     }
     m_hadSignals = has;
     m_stack->setCurrentIndex(has ? 1 : 0);
+    m_status->setVisible(has);
     m_density->setVisible(std::ranges::any_of(rows, &signal::SignalRow::hasSpectrum));
     m_undo->setEnabled(m_signals->canUndo());
     for (auto* button :
@@ -298,7 +330,8 @@ void PlotPage::showReadings() {
         if (!series)
             readings.emplace_back();
         else if (cursors)
-            readings.push_back({series->at((*cursors)[0]), series->at((*cursors)[1])});
+            readings.push_back({series->at((*cursors)[0] - m_signals->shift_s(each)),
+                                series->at((*cursors)[1] - m_signals->shift_s(each))});
         else
             readings.push_back({series->newest(), std::nullopt});
     }
@@ -316,6 +349,8 @@ void PlotPage::showProgress() {
 void PlotPage::showState() {
     showProgress();
     QStringList parts;
+    if (const int outside = outsideView(); outside > 0)
+        parts << tr("%n signal(s) outside the view: Show everything (Home)", nullptr, outside);
     if (const std::uint64_t dropped = m_signals->dropped(); dropped > 0)
         parts << tr("%1 old samples dropped").arg(base::shortCount(dropped));
     if (const std::uint64_t lost = m_signals->sources().lost(); lost > 0)
@@ -323,6 +358,24 @@ void PlotPage::showState() {
     const QString text = parts.join(QStringLiteral(", "));
     if (m_state->text() != text)
         m_state->setText(text);
+}
+
+int PlotPage::outsideView() const {
+    return static_cast<int>(std::ranges::count_if(m_signals->shown(), [this](const auto& each) {
+        const auto series = each.series();
+        const double shift_s = m_signals->shift_s(each);
+        return series && !series->empty() &&
+               (series->time_s(series->size() - 1) + shift_s < m_plot->from_s() ||
+                series->time_s(0) + shift_s > m_plot->to_s());
+    }));
+}
+
+void PlotPage::setClockTime(bool clock) {
+    m_signals->setClockTime(clock);
+    m_plot->setClockTime(clock);
+    m_plot->setCursors(false); // of another time
+    if (!m_plot->isFollowing())
+        m_plot->showEverything();
 }
 
 void PlotPage::refreshSpectra() {
@@ -378,7 +431,9 @@ void PlotPage::saveData(const QString& path) {
     base::runInBackground(
         this,
         [columns = m_signals->forCsv(), file = path.toStdString(), from_s = m_plot->from_s(),
-         to_s = m_plot->to_s()] { return signal::writeSignalCsv(file, columns, from_s, to_s); },
+         to_s = m_plot->to_s(), time = m_time->currentIndex() == 1 ? "utc_s" : "time_s"] {
+            return signal::writeSignalCsv(file, columns, from_s, to_s, time);
+        },
         [this, path](const core::Expected<void>& written) {
             if (written)
                 m_messages->post({chrome::Message::Severity::information, tr("The data were saved."),
@@ -413,12 +468,13 @@ void PlotPage::plotNamed(const QStringList& names) {
 }
 
 PlotLayout PlotPage::layoutNow() const {
-    return {m_signals->plotted(), m_plot->span_s(), m_density->isChecked()};
+    return {m_signals->plotted(), m_plot->span_s(), m_density->isChecked(), m_time->currentIndex() == 1};
 }
 
 void PlotPage::restore(const PlotLayout& layout) {
     m_signals->set(layout.plotted);
     m_density->setChecked(layout.density);
+    m_time->setCurrentIndex(layout.clock ? 1 : 0);
     const double end_s = m_plot->to_s();
     const bool followed = m_plot->isFollowing();
     m_plot->setRange(end_s - layout.span_s, end_s);

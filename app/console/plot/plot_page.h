@@ -11,11 +11,13 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <array>
 #include <cstdint>
 #include <utility>
 
 class QAction;
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -69,6 +71,7 @@ signals:
 private:
     [[nodiscard]] QWidget* makeSignalColumn();
     [[nodiscard]] QWidget* makeToolBar();
+    [[nodiscard]] QWidget* makeStatusLine();
     [[nodiscard]] QWidget* makeMiddle();
     void connectViews();
     void retranslate();
@@ -77,6 +80,9 @@ private:
     void showReadings();
     void showProgress();
     void showState();
+    void setClockTime(bool clock);
+    /// Signals of which no sample lies in view.
+    [[nodiscard]] int outsideView() const;
     void refreshSpectra();
     void askForRecording();
     void askForData();
@@ -96,10 +102,12 @@ private:
     QToolButton* m_everything;
     QCheckBox* m_cursors;
     QCheckBox* m_density;
+    QComboBox* m_time;
     QToolButton* m_layoutsButton;
     QToolButton* m_saveButton;
     QMenu* m_saveMenu;
-    base::ProvenanceBadge* m_badge;
+    std::array<base::ProvenanceBadge*, 4> m_badges{}; ///< of what is shown, the strongest first
+    QWidget* m_status;
     QLabel* m_state;
     QStackedWidget* m_stack;
     chrome::EmptyState* m_empty;

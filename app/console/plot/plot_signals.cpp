@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
+#include <utility>
 
 namespace teleta::console {
 
@@ -24,7 +24,8 @@ std::shared_ptr<const signal::Series> PlotSignals::Shown::series() const {
 }
 
 QString PlotSignals::Shown::name() const {
-    const QString column = QString::fromStdString(what.id.column);
+    const QString own = QString::fromStdString(what.id.column);
+    const QString column = meaning.isEmpty() ? own : tr("%1 of %2", "a signal of a joint").arg(own, meaning);
     return (what.derivative ? tr("d/dt %1", "derivative of a signal").arg(column) : column) +
            QStringLiteral(", ") + QString::fromStdString(what.id.source);
 }
@@ -120,6 +121,22 @@ base::Provenance PlotSignals::provenance() const {
     return strongest;
 }
 
+std::set<base::Provenance, std::greater<>> PlotSignals::provenances() const {
+    std::set<base::Provenance, std::greater<>> all;
+    for (const Shown& each : m_shown)
+        if (each.provenance != base::Provenance::live)
+            all.insert(each.provenance);
+    return all;
+}
+
+void PlotSignals::setClockTime(bool clock) {
+    if (std::exchange(m_clock, clock) == clock)
+        return;
+    for (Shown& each : m_shown)
+        each.spectrum = nullptr; // of another stretch, until it is computed again
+    emit changed();
+}
+
 void PlotSignals::set(const std::vector<PlottedSignal>& plotted) {
     m_removed.clear();
     m_shown.clear();
@@ -144,6 +161,9 @@ void PlotSignals::resolve() {
             continue;
         }
         each.unit = found->unit;
+        each.meaning = found->meaning;
+        each.start_unix_s = found->start_unix_s;
+        each.isRecorded = found->isRecorded;
         each.rate_Hz = found->rate_Hz;
         each.isOfEvents = found->isOfEvents;
         each.provenance = found->provenance;
@@ -203,11 +223,12 @@ void PlotSignals::computeSpectra(double from_s, double to_s) {
         PlottedSignal what;
         signal::Series series;
         double rate_Hz = 0.0;
+        double shift_s = 0.0;
     };
     std::vector<Wanted> wanted;
     for (const Shown& each : m_shown)
         if (each.what.spectrum && each.series())
-            wanted.push_back({each.what, *each.series(), each.rate_Hz});
+            wanted.push_back({each.what, *each.series(), each.rate_Hz, shift_s(each)});
     if (wanted.empty() || m_computing)
         return;
     m_computing = true;
@@ -217,7 +238,8 @@ void PlotSignals::computeSpectra(double from_s, double to_s) {
         [wanted = std::move(wanted), from_s, to_s] {
             Computed computed;
             for (const Wanted& each : wanted)
-                computed.emplace_back(each.what, signal::spectrumOf(each.series, from_s, to_s, each.rate_Hz));
+                computed.emplace_back(each.what, signal::spectrumOf(each.series, from_s - each.shift_s,
+                                                                    to_s - each.shift_s, each.rate_Hz));
             return computed;
         },
         [this](Computed computed) {
@@ -257,7 +279,7 @@ std::vector<signal::CsvSignal> PlotSignals::forCsv() const {
         std::string unique = own;
         for (int number = 2; !taken.insert(unique).second; ++number)
             unique = own + "_" + std::to_string(number);
-        columns.push_back({unique, *each.series()});
+        columns.push_back({unique, *each.series(), shift_s(each)});
     }
     return columns;
 }

@@ -10,8 +10,10 @@
 #include <QObject>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,9 @@ public:
         PlottedSignal what;
         int colour = 1;
         std::string unit{}; ///< of the signal itself
+        QString meaning{};  ///< see SignalSources::Signal
+        double start_unix_s = 0.0;
+        bool isRecorded = false; ///< as a whole: it does not grow
         double rate_Hz = 0.0;
         bool isOfEvents = false;
         base::Provenance provenance = base::Provenance::live; ///< stays when its source is closed
@@ -61,6 +66,12 @@ public:
     void cancelReading();
     /// Of all that is shown: simulated as soon as one of them is, else recorded as soon as one is.
     [[nodiscard]] base::Provenance provenance() const;
+    /// Each that something shown has, but for live, the strongest first.
+    [[nodiscard]] std::set<base::Provenance, std::greater<>> provenances() const;
+    /// Times are clock times instead of those since the start of each source.
+    void setClockTime(bool clock);
+    /// From the time of a signal's series to the time that is shown.
+    [[nodiscard]] double shift_s(const Shown& signal) const { return m_clock ? signal.start_unix_s : 0.0; }
     /// Plots these and nothing else.
     void set(const std::vector<PlottedSignal>& plotted);
     [[nodiscard]] std::vector<PlottedSignal> plotted() const;
@@ -70,7 +81,7 @@ public:
     void computeSpectra(double from_s, double to_s);
     /// Takes new samples; goes on with derivatives.
     void tick();
-    /// For a file: copies of what is drawn.
+    /// For a file: copies of what is drawn, at the times that are shown.
     [[nodiscard]] std::vector<signal::CsvSignal> forCsv() const;
     /// Samples of plotted signals that gave way to newer ones.
     [[nodiscard]] std::uint64_t dropped() const;
@@ -94,6 +105,7 @@ private:
     std::vector<std::pair<int, Shown>> m_removed; ///< the last time, with their places
     std::vector<signal::SignalId> m_reading;
     bool m_computing = false;
+    bool m_clock = false;
 };
 
 } // namespace teleta::console

@@ -4,10 +4,13 @@
 #include "app/console/sources/source_provenance.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/core/steady_time.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
+#include "backend/recording/recording.h"
 #include "backend/recording/stream_columns.h"
 #include "widgets/base/background.h"
 #include "widgets/touch/touch_texts.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -27,27 +30,13 @@ std::string freeName(const std::string& wanted, const std::vector<Named>& there,
     return name;
 }
 
-/// Names of the joints, for each column of a stream of joints; empty: they are not known, or it is another
-/// stream. chain: of the arm; null: none.
-std::vector<QString> jointsOf(const recording::StreamInfo& stream, const arm_model::SerialChain* chain) {
-    constexpr std::size_t kOwnJoints = 4; // joints of an arm that needs no description
-    const auto joints = recording::jointsOf(stream);
-    const bool isOwn = joints == kOwnJoints && stream.details.find("\"urdf\"") == std::string::npos;
-    if (!joints || (chain == nullptr ? !isOwn : chain->joints() != *joints))
-        return {};
-    std::vector<QString> names;
-    for (std::size_t i = 0; i < stream.channels(); ++i)
-        names.push_back(chain != nullptr ? QString::fromStdString(chain->joint(i % *joints).name)
-                                         : touch::TouchTexts::joint(i % *joints, *joints));
-    return names;
-}
+constexpr std::size_t kOwnJoints = 4; ///< of an arm that needs no description
 
 } // namespace
 
 SignalSources::SignalSources(SourceManager& sources, QObject* parent)
     : QObject(parent)
-    , m_sources(sources)
-    , m_origin_ns(core::steadyNow_ns()) {
+    , m_sources(sources) {
     connect(&m_sources, &SourceManager::opened, this, &SignalSources::watch);
     connect(&m_sources, &SourceManager::closed, this, [this](pipeline::ChannelKey key) {
         if (std::erase_if(m_live, [key](const Live& live) { return live.key == key; }) > 0)
@@ -64,10 +53,47 @@ void SignalSources::cancelReadings() {
         reading->cancelled = true;
 }
 
+std::vector<QString> SignalSources::jointsOf(const recording::StreamInfo& stream, const Arm& arm) {
+    const auto joints = recording::jointsOf(stream);
+    if (!joints || (arm.chain ? arm.chain->joints() != *joints : !arm.isOwn || *joints != kOwnJoints))
+        return {};
+    std::vector<QString> names;
+    for (std::size_t i = 0; i < stream.channels(); ++i)
+        names.push_back(arm.chain ? QString::fromStdString(arm.chain->joint(i % *joints).name)
+                                  : touch::TouchTexts::joint(i % *joints, *joints));
+    return names;
+}
+
+SignalSources::Arm SignalSources::armOf(const Live& live) const {
+    const SourceManager::Item* item = m_sources.find(live.key);
+    const auto joints = item != nullptr && item->isOpen() ? item->joints() : nullptr;
+    if (!joints)
+        return {};
+    return {joints->chain(), joints->chain() == nullptr};
+}
+
+core::Expected<SignalSources::Listed> SignalSources::list(const std::string& path) {
+    TELETA_TRY(const auto recording, recording::Recording::open(path));
+    Listed listed;
+    listed.start_unix_s =
+        1e-3 * static_cast<double>(recording.utcOf(recording.head().start_ns).toMSecsSinceEpoch());
+    TELETA_TRY(listed.streams, signal::signalStreamsOf(path));
+    for (const recording::StreamInfo& stream : listed.streams) {
+        // One that is not described has no names, and is plotted all the same.
+        const auto arm = pipeline::recordedArm(stream, path);
+        listed.arms.push_back(arm ? Arm{arm->chain, arm->chain == nullptr} : Arm{});
+    }
+    return listed;
+}
+
 void SignalSources::watch(pipeline::ChannelKey key) {
     const SourceManager::Item* item = m_sources.find(key);
     if (item == nullptr || !item->channel)
         return;
+    if (m_live.empty()) {
+        m_origin_ns = core::steadyNow_ns();
+        m_origin_unix_s = 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch());
+    }
     const std::string name =
         freeName(item->name.toStdString(), m_live, [](const Live& live) { return live.source->name(); });
     auto source = std::make_shared<signal::LiveSource>(name, m_origin_ns);
@@ -78,7 +104,7 @@ void SignalSources::watch(pipeline::ChannelKey key) {
 }
 
 std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId& id) const {
-    const auto signalOf = [&](const recording::StreamInfo& info) -> std::optional<Signal> {
+    const auto signalOf = [&](const recording::StreamInfo& info, const Arm& arm) -> std::optional<Signal> {
         const auto columns = signal::columnsOf(info);
         const auto column = std::ranges::find(columns, id.column, &recording::Column::name);
         if (column == columns.end())
@@ -88,6 +114,9 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
         found.unit = column->unit;
         found.rate_Hz = events ? 0.0 : info.nominalRate_Hz;
         found.isOfEvents = events;
+        const std::vector<QString> joints = jointsOf(info, arm);
+        if (const auto place = static_cast<std::size_t>(column - columns.begin()); place < joints.size())
+            found.meaning = joints[place];
         return found;
     };
     for (const Live& live : m_live) {
@@ -98,7 +127,8 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
                                                  [](const auto& each) { return each.column.name; });
             if (stream.name != id.stream || place == stream.columns.end())
                 continue;
-            auto found = signalOf(stream.info);
+            auto found = signalOf(stream.info, armOf(live));
+            found->start_unix_s = m_origin_unix_s;
             found->series = place->series;
             found->newest = place->newest;
             if (const SourceManager::Item* item = m_sources.find(live.key))
@@ -107,11 +137,14 @@ std::optional<SignalSources::Signal> SignalSources::find(const signal::SignalId&
         }
     }
     for (const Recorded& recorded : m_recordings) {
-        const auto stream = std::ranges::find(recorded.streams, id.stream, &recording::StreamInfo::name);
-        if (recorded.name != id.source || stream == recorded.streams.end())
+        const auto& streams = recorded.listed.streams;
+        const auto stream = std::ranges::find(streams, id.stream, &recording::StreamInfo::name);
+        if (recorded.name != id.source || stream == streams.end())
             continue;
-        auto found = signalOf(*stream);
+        auto found =
+            signalOf(*stream, recorded.listed.arms[static_cast<std::size_t>(stream - streams.begin())]);
         if (found) {
+            found->start_unix_s = recorded.listed.start_unix_s;
             found->isRecorded = true;
             found->provenance = recorded.simulated.contains(stream->source)
                                     ? base::Provenance::recordedSimulation
@@ -126,18 +159,19 @@ std::vector<signal::SourceEntry> SignalSources::entries() const {
     std::vector<signal::SourceEntry> entries;
     for (const Live& live : m_live) {
         signal::SourceEntry entry{live.source->name(), {}, {}};
-        const SourceManager::Item* item = m_sources.find(live.key);
-        const auto arm = item != nullptr ? item->arm() : nullptr;
-        const auto chain = arm != nullptr ? arm->chain() : nullptr;
+        const Arm arm = armOf(live);
         for (const signal::LiveSource::Stream& stream : live.source->streams())
             entry.streams.push_back(
-                {stream.name, signal::columnsOf(stream.info), jointsOf(stream.info, chain.get())});
+                {stream.name, signal::columnsOf(stream.info), jointsOf(stream.info, arm)});
         entries.push_back(std::move(entry));
     }
     for (const Recorded& recorded : m_recordings) {
         signal::SourceEntry entry{recorded.name, tr("whole recording"), {}};
-        for (const recording::StreamInfo& stream : recorded.streams)
-            entry.streams.push_back({stream.name, signal::columnsOf(stream), jointsOf(stream, nullptr)});
+        for (std::size_t i = 0; i < recorded.listed.streams.size(); ++i) {
+            const recording::StreamInfo& stream = recorded.listed.streams[i];
+            entry.streams.push_back(
+                {stream.name, signal::columnsOf(stream), jointsOf(stream, recorded.listed.arms[i])});
+        }
         entries.push_back(std::move(entry));
     }
     return entries;
@@ -155,17 +189,17 @@ void SignalSources::addRecording(const QString& path) {
         return;
     m_adding.push_back(file);
     base::runInBackground(
-        this, [file] { return signal::signalStreamsOf(file); },
-        [this, file, path](core::Expected<std::vector<recording::StreamInfo>> streams) {
+        this, [file] { return list(file); },
+        [this, file, path](core::Expected<Listed> listed) {
             std::erase(m_adding, file);
             const QString shown = QFileInfo(path).fileName();
-            if (!streams) {
-                emit failed(shown, QString::fromStdString(core::describe(streams.error())));
+            if (!listed) {
+                emit failed(shown, QString::fromStdString(core::describe(listed.error())));
                 return;
             }
             std::string name = freeName(shown.toStdString(), m_recordings, &Recorded::name);
-            std::set<std::string> simulated = signal::simulatedSourcesOf(*streams);
-            m_recordings.push_back({std::move(name), file, std::move(*streams), std::move(simulated)});
+            std::set<std::string> simulated = signal::simulatedSourcesOf(listed->streams);
+            m_recordings.push_back({std::move(name), file, std::move(*listed), std::move(simulated)});
             emit changed();
         });
 }

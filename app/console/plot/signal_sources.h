@@ -17,6 +17,10 @@
 #include <string>
 #include <vector>
 
+namespace teleta::arm_model {
+class SerialChain;
+}
+
 namespace teleta::console {
 
 /// Where signals come from: every open source, whose streams are followed from its opening on, and whole
@@ -34,6 +38,8 @@ public:
         std::shared_ptr<const signal::Series> series; ///< null: it must be read()
         std::optional<double> newest;                 ///< of one that runs
         std::string unit;
+        QString meaning;           ///< the joint that it is of; empty: it is of none, or not known
+        double start_unix_s = 0.0; ///< clock time at the zero of the series, UTC
         double rate_Hz = 0.0;
         bool isOfEvents = false;
         bool isRecorded = false; ///< as a whole, not played
@@ -74,10 +80,21 @@ private:
         pipeline::ChannelKey key = 0;
         std::shared_ptr<signal::LiveSource> source;
     };
+    /// What tells the names of the joints of a stream.
+    struct Arm {
+        std::shared_ptr<const arm_model::SerialChain> chain; ///< null: it is not described
+        bool isOwn = false; ///< one that needs no description, if it has the usual four joints
+    };
+    /// What is told of a recording before its signals are read.
+    struct Listed {
+        std::vector<recording::StreamInfo> streams;
+        std::vector<Arm> arms; ///< one a stream
+        double start_unix_s = 0.0;
+    };
     struct Recorded {
         std::string name;
         std::string path;
-        std::vector<recording::StreamInfo> streams;
+        Listed listed;
         std::set<std::string> simulated; ///< sources of the streams
     };
     struct Reading {
@@ -86,9 +103,14 @@ private:
     };
 
     void watch(pipeline::ChannelKey key);
+    [[nodiscard]] static core::Expected<Listed> list(const std::string& path);
+    [[nodiscard]] Arm armOf(const Live& live) const;
+    /// For each column of a stream of joints; empty: they are not known, or it is another stream.
+    [[nodiscard]] static std::vector<QString> jointsOf(const recording::StreamInfo& stream, const Arm& arm);
 
     SourceManager& m_sources;
-    std::int64_t m_origin_ns;
+    std::int64_t m_origin_ns = 0; ///< zero of the live series: when the first of the open ones was opened
+    double m_origin_unix_s = 0.0; ///< the same as clock time
     std::vector<Live> m_live;
     std::vector<Recorded> m_recordings;
     std::vector<std::string> m_adding; ///< paths of recordings that are being listed

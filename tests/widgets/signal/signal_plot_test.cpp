@@ -6,6 +6,7 @@
 #include "widgets/signal/signal_plot.h"
 
 #include <qcustomplot.h>
+#include <QDateTime>
 #include <QImage>
 #include <QMouseEvent>
 #include <QPainter>
@@ -103,6 +104,42 @@ private slots:
         QTest::keyClick(m_view.get(), Qt::Key_End);
         draw();
         QCOMPARE(m_view->to_s(), 22.0);
+    }
+
+    void whatGrowsIsFollowedAndNotALongerRecording() {
+        auto live = std::make_shared<Series>();
+        for (int i = 0; i <= 3000; ++i)
+            live->append(0.001 * i, 0.0);
+        m_view->setCurves({{"q1", "rad", 2, m_angle, nullptr, false, 0.0, false},
+                           {"q1", "rad", 3, live, nullptr, false, 0.0, true}});
+        m_view->setRange(-10.0, 0.0);
+        m_view->setFollowing(true);
+        draw();
+        QCOMPARE(m_view->to_s(), 3.0);
+        m_view->setCurves({{"q1", "rad", 2, m_angle, nullptr, false, 0.0, false}});
+        draw();
+        QCOMPARE(m_view->to_s(), 20.0);
+    }
+
+    void clockTimesAreDrawnAtTheirPlace() {
+        const QDateTime begin(QDate(2026, 11, 30), QTime(9, 10, 14));
+        const auto begin_s = static_cast<double>(begin.toSecsSinceEpoch());
+        const QString label = m_view->plot()->xAxis->label();
+        m_view->setCurves({{"q1", "rad", 2, m_angle, nullptr, false, begin_s, false}});
+        m_view->setClockTime(true);
+        m_view->showEverything();
+        draw();
+        QCOMPARE(m_view->from_s(), begin_s);
+        QCOMPARE(m_view->to_s(), begin_s + 20.0);
+        QVERIFY(m_view->plot()->xAxis->label() != label);
+        QVERIFY(m_view->plot()->xAxis->tickVectorLabels().contains(QStringLiteral("09:10:20")));
+        const auto data = m_view->plot()->graph(0)->data();
+        QCOMPARE(data->constBegin()->key, begin_s);
+        m_view->setRange(begin_s + 1.0, begin_s + 1.5);
+        draw();
+        QVERIFY(m_view->plot()->xAxis->tickVectorLabels().contains(QStringLiteral("09:10:15.200")));
+        m_view->setClockTime(false);
+        QCOMPARE(m_view->plot()->xAxis->label(), label);
     }
 
     void aUnitHasAnAxis() {

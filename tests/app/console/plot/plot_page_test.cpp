@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/plot/plot_page.h"
 #include "app/console/sources/source_manager.h"
+#include "backend/arm_model/serial_chain.h"
+#include "backend/arm_model/urdf_reader.h"
 #include "backend/core/data/csv_reader.h"
+#include "backend/pipeline/recorded/recorded_streams.h"
 #include "backend/recording/recorder.h"
 #include "backend/recording/stream_columns.h"
 #include "widgets/base/controls/provenance_stripe.h"
@@ -12,9 +15,12 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDateTime>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFile>
+#include <QLabel>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
@@ -37,6 +43,26 @@ namespace {
 
 constexpr std::int64_t kStart_ns = 50'000'000'000;
 constexpr int kFrames = 2000;
+
+/// An arm with links of a file, for a moment.
+void recordSevenJoints(const QString& path) {
+    const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf").value();
+    const auto chain = arm_model::SerialChain::create(std::make_shared<const arm_model::ArmModel>(model),
+                                                      "base_link", "tool0")
+                           .value();
+    core::ArmDescription description;
+    description.name = "robot";
+    description.nominalRate_Hz = 100.0;
+    description.lowest_rad = chain.lowest();
+    description.highest_rad = chain.highest();
+    description.fastest_radPerS = chain.fastest();
+    recording::RecordingHead head;
+    head.start_ns = kStart_ns;
+    auto recorder = recording::Recorder::start(path.toStdString(), head, {.simulatedTime = true}).value();
+    const auto tap = recorder->addStream(pipeline::armStream("robot/joints", description, {}, &chain));
+    tap->append(kStart_ns, 0.0, std::span<const double>(std::vector<double>(21, 0.5)));
+    QVERIFY(recorder->stop());
+}
 
 /// One joint whose angle is a sine of 0.3 rad at 10 Hz, 2 s at 1 kHz.
 void recordSine(const QString& path, const std::string& details = {}) {
@@ -103,6 +129,7 @@ private slots:
         base::applyTheme(base::ThemeChoice::light);
         recordSine(m_folder.filePath("sine.teleta"));
         recordSine(m_folder.filePath("simulated.teleta"), R"({"simulated": true})");
+        recordSevenJoints(m_folder.filePath("robot.teleta"));
     }
     void init() {
         m_settings = std::make_unique<console::ConsoleSettings>(false);
@@ -150,6 +177,79 @@ private slots:
         QCOMPARE(joints()->meanings[0], QStringLiteral("shoulder roll"));
         QCOMPARE(joints()->columns[7].name, std::string("tau4"));
         QCOMPARE(joints()->meanings[7], QStringLiteral("elbow pitch"));
+    }
+
+    void theJointsOfARecordedArmHaveTheNamesOfItsLinks() {
+        openRecording("robot.teleta");
+        const auto stream = m_page->plotSignals().sources().entries().front().streams.front();
+        const auto model = arm_model::readUrdf(TELETA_SOURCE_DIR "/resources/arms/seven-joints.urdf").value();
+        QCOMPARE(stream.meanings.size(), std::size_t{21});
+        const QString second = stream.meanings[1];
+        QVERIFY(std::ranges::any_of(
+            model.joints, [&](const auto& joint) { return QString::fromStdString(joint.name) == second; }));
+        m_page->plotSignals().add({{"robot.teleta", stream.name, "q2"}});
+        QVERIFY(ticks([this] { return m_page->plotSignals().shown().front().raw != nullptr; }));
+        QCOMPARE(m_page->table().view().topLevelItem(0)->text(0),
+                 QStringLiteral("q2 of %1, robot.teleta").arg(second));
+    }
+
+    void clockTimesAreThoseOfTheRecording() {
+        plotAngle();
+        const double start_unix_s = m_page->plotSignals().sources().find(m_angle)->start_unix_s;
+        QVERIFY2(std::abs(start_unix_s - static_cast<double>(QDateTime::currentSecsSinceEpoch())) < 3600.0,
+                 "it was recorded just now");
+        QTRY_VERIFY(std::abs(m_page->plot().from_s()) < 1e-6);
+        auto* time = m_page->findChild<QComboBox*>("plotTime");
+        time->setFocus();
+        QTest::keyClick(time, Qt::Key_Down);
+        QCOMPARE(m_page->plot().from_s(), start_unix_s);
+        m_page->plot().moveCursor(0, start_unix_s + 0.025);
+        QTreeWidget& table = m_page->table().view();
+        QVERIFY(ticks([&] { return table.topLevelItem(0)->text(1).trimmed().startsWith("0.3"); }));
+        m_page->plot().setRange(start_unix_s + 0.1, start_unix_s + 0.1095);
+        const QString path = m_folder.filePath("clock.csv");
+        m_page->saveData(path);
+        QVERIFY(ticks([this] { return m_page->messages().count() == 1; }));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().split('\n');
+        QCOMPARE(lines.first(), QByteArray("utc_s,q1_rad"));
+        QVERIFY(std::abs(lines[1].split(',').front().toDouble() - start_unix_s - 0.1) < 0.0015);
+        m_page->layouts().save("clock");
+        QTest::keyClick(time, Qt::Key_Up);
+        QTRY_VERIFY(std::abs(m_page->plot().from_s()) < 1e-6);
+        m_page->layouts().choose("clock");
+        QCOMPARE(time->currentIndex(), 1);
+    }
+
+    void whatIsOutsideTheViewIsSaid() {
+        plotAngle();
+        const auto* state = m_page->findChild<QLabel*>("plotState");
+        QVERIFY(ticks([&] { return state->text().isEmpty(); }));
+        m_page->plot().setRange(100.0, 110.0);
+        QVERIFY(ticks([&] { return state->text().contains("outside the view"); }));
+        QTest::keyClick(&m_page->plot(), Qt::Key_Home);
+        QVERIFY(ticks([&] { return state->text().isEmpty(); }));
+    }
+
+    void eachKindOfDataHasItsBadge() {
+        plotAngle();
+        m_sources->open(app::SceneRequest{":/scenes/tactile-indenter.toml", 1});
+        const auto live = [this] {
+            for (const signal::SourceEntry& entry : m_page->plotSignals().sources().entries())
+                if (entry.note.isEmpty() && !entry.streams.empty())
+                    return entry.name;
+            return std::string();
+        };
+        QVERIFY(ticks([&] { return !live().empty(); }));
+        m_page->plotSignals().add({{live(), "features", "force_n"}});
+        QCOMPARE(badge().provenance(), base::Provenance::simulated);
+        auto* second = m_page->findChild<base::ProvenanceBadge*>("plotProvenance1");
+        QVERIFY(second->isVisible());
+        QCOMPARE(second->provenance(), base::Provenance::recorded);
+        m_page->plotSignals().remove({1});
+        QCOMPARE(badge().provenance(), base::Provenance::recorded);
+        QVERIFY(!second->isVisible());
     }
 
     void aDroppedSignalOfARunningSceneIsDrawn() {
