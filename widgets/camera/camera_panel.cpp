@@ -2,19 +2,21 @@
 #include "widgets/camera/camera_panel.h"
 
 #include "backend/vision/finders/contact_ladder.h"
-#include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/camera/camera_view.h"
+#include "widgets/camera/finder_names.h"
 #include "widgets/camera/reaction_row.h"
 #include "widgets/camera/stage_bar.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -22,39 +24,11 @@ namespace teleta::camera {
 
 namespace {
 
+/// Of a finder that have room without the list; longer titles are cut there.
+constexpr int kTitleLetters = 14;
+
 QString nameOf(std::string_view rung) {
     return QString::fromLatin1(rung.data(), static_cast<qsizetype>(rung.size()));
-}
-
-/// Explains a rung in a sentence or two.
-QString explanationOf(const vision::ContactRung& rung) {
-    if (rung.paper)
-        return CameraPanel::tr("As in the published work: dense flow in a picture of 512 \u00d7 288, and the "
-                               "mean of the points that moved");
-    QString preset;
-    switch (rung.method) {
-    case vision::FlowMethod::dots:
-        return CameraPanel::tr("Each printed dot is followed in the whole picture. The default.");
-    case vision::FlowMethod::disUltrafast:
-        preset = CameraPanel::tr("the quickest and coarsest");
-        break;
-    case vision::FlowMethod::disFast:
-        preset = CameraPanel::tr("a quick one");
-        break;
-    case vision::FlowMethod::disMedium:
-        preset = CameraPanel::tr("the slowest and finest");
-        break;
-    }
-    QString text =
-        rung.scale < 1.0
-            ? CameraPanel::tr("Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller")
-                  .arg(preset, base::significantDigits(1.0 / rung.scale, 2))
-            : CameraPanel::tr("Dense flow by a preset of OpenCV (%1), in the whole picture").arg(preset);
-    if (rung.changedOnly)
-        text += QLatin1Char('\n') + CameraPanel::tr("Only where the picture differs from the reference");
-    if (rung.warmStart)
-        text += QLatin1Char('\n') + CameraPanel::tr("Starts from the flow of the previous picture");
-    return text;
 }
 
 } // namespace
@@ -79,7 +53,10 @@ CameraPanel::CameraPanel(QWidget* parent)
     m_arrows->setChecked(true);
     m_problem->setWordWrap(true);
     for (const vision::ContactRung& rung : vision::contactLadder())
-        m_rungs->addItem(nameOf(rung.name));
+        m_rungs->addItem(QString(), nameOf(rung.name));
+    m_rungs->setItemDelegate(new FinderDelegate(m_rungs));
+    m_rungs->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_rungs->setMinimumContentsLength(kTitleLetters);
     m_rungName->setBuddy(m_rungs);
 
     const int margin = base::grid(this);
@@ -102,7 +79,7 @@ CameraPanel::CameraPanel(QWidget* parent)
     setFocusProxy(m_view);
 
     connect(m_rungs, &QComboBox::activated, this, [this] {
-        m_wish = m_rungs->currentText();
+        m_wish = m_rungs->currentData().toString();
         emit rungChosen(m_wish);
     });
     connect(m_pause, &QToolButton::toggled, this, &CameraPanel::setPaused);
@@ -138,8 +115,8 @@ void CameraPanel::setSnapshot(const pipeline::CameraSnapshot* snapshot, double n
         // After a refusal the box shows the rung in use again.
         if (m_wish == rung || m_wish == nameOf(snapshot->refusedRung))
             m_wish.clear();
-        if (m_wish.isEmpty() && m_rungs->currentText() != rung)
-            m_rungs->setCurrentText(rung);
+        if (m_wish.isEmpty() && m_rungs->currentData() != rung)
+            m_rungs->setCurrentIndex(m_rungs->findData(rung));
     }
     showTexts();
 }
@@ -173,7 +150,7 @@ void CameraPanel::showTexts() {
     else if (!m_whyRefused.isEmpty())
         problem = tr("This finder cannot be used: %1").arg(m_whyRefused);
     else if (!m_nextRung.isEmpty())
-        problem = tr("Preparing the finder %1.").arg(m_nextRung);
+        problem = tr("Preparing the finder: %1.").arg(m_rungs->itemText(m_rungs->findData(m_nextRung)));
     m_problem->setText(problem);
     m_problem->setToolTip(problem); // where a low dock cuts it
     m_problem->setVisible(!problem.isEmpty());
@@ -187,11 +164,17 @@ void CameraPanel::retranslate() {
                            "of OpenCV's presets; the number is how many times the image is reduced"));
     QString all;
     for (const vision::ContactRung& rung : vision::contactLadder()) {
-        const QString text = explanationOf(rung);
-        m_rungs->setItemData(m_rungs->findText(nameOf(rung.name)), text, Qt::ToolTipRole);
-        all += QStringLiteral("<p><b>%1</b>: %2</p>")
-                   .arg(nameOf(rung.name), QString(text).replace(u'\n', QStringLiteral(". ")));
+        const QString title = FinderNames::title(rung);
+        const QString text = FinderNames::explanation(rung);
+        const int place = m_rungs->findData(nameOf(rung.name));
+        m_rungs->setItemText(place, title);
+        m_rungs->setItemData(place, FinderNames::cost(rung), FinderDelegate::kCost);
+        m_rungs->setItemData(place, text, Qt::ToolTipRole);
+        all += QStringLiteral("<p><b>%1</b> (%2): %3</p>")
+                   .arg(title, nameOf(rung.name), QString(text).replace(u'\n', QStringLiteral(". ")));
     }
+    m_rungs->view()->setMinimumWidth(m_rungs->view()->sizeHintForColumn(0) +
+                                     style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this));
     m_rungs->setWhatsThis(QStringLiteral("<p>%1</p>").arg(m_rungs->toolTip()) + all);
     m_arrows->setText(tr("&Displacement"));
     m_arrows->setToolTip(tr("Show how far the pattern on the skin has moved"));

@@ -8,8 +8,10 @@
 #include "widgets/camera/camera_view.h"
 #include "widgets/camera/event_model.h"
 #include "widgets/camera/event_table.h"
+#include "widgets/camera/finder_names.h"
 #include "widgets/camera/stage_bar.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -92,8 +94,23 @@ private slots:
             const QString text = rungs->itemData(i, Qt::ToolTipRole).toString();
             QVERIFY2(!text.isEmpty() && !told.contains(text), qPrintable(rungs->itemText(i)));
             told.insert(text);
+            // The list says it in plain words, and each finder in others; the code stands behind.
+            for (const int role :
+                 {int(Qt::DisplayRole), camera::FinderDelegate::kCost, camera::FinderDelegate::kCode}) {
+                const QString words = rungs->itemData(i, role).toString();
+                QVERIFY2(!words.isEmpty(), qPrintable(text));
+                QVERIFY(role == camera::FinderDelegate::kCost || !told.contains(words));
+                told.insert(words);
+            }
             QVERIFY(rungs->whatsThis().contains(rungs->itemText(i)));
+            QVERIFY(rungs->view()->minimumWidth() >=
+                    rungs->view()->sizeHintForIndex(rungs->model()->index(i, 0)).width());
         }
+        QCOMPARE(rungs->itemText(rungs->findData("fast-2-changed")),
+                 QStringLiteral("Quick flow, changed parts"));
+        QVERIFY(rungs->itemData(rungs->findData("fast-2-changed"), camera::FinderDelegate::kCost)
+                    .toString()
+                    .contains("25 % of the picture's points"));
     }
 
     void displacementsAreDrawnEnlargedAndCanBeHidden() {
@@ -158,7 +175,7 @@ private slots:
         panel.setSnapshot(&snapshot);
         auto* rungs = panel.findChild<QComboBox*>("cameraRung");
         QCOMPARE(rungs->count(), 13);
-        QCOMPARE(rungs->currentText(), QStringLiteral("dots"));
+        QCOMPARE(rungs->currentData().toString(), QStringLiteral("dots"));
         QSignalSpy chosen(&panel, &CameraPanel::rungChosen);
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
@@ -167,20 +184,21 @@ private slots:
         QCOMPARE(chosen.size(), 1);
         QCOMPARE(chosen[0][0].toString(), QStringLiteral("paper"));
         panel.setSnapshot(&snapshot);
-        QCOMPARE(rungs->currentText(), QStringLiteral("paper")); // asked for, not yet in use
+        QCOMPARE(rungs->currentData().toString(), QStringLiteral("paper")); // asked for, not yet in use
         snapshot.problem = "Too dark.";
         panel.setSnapshot(&snapshot);
-        QCOMPARE(rungs->currentText(), QStringLiteral("paper")); // a frame's problem is not the finder's
+        QCOMPARE(rungs->currentData().toString(),
+                 QStringLiteral("paper")); // a frame's problem is not the finder's
         QCOMPARE(test::textOf(panel, "problem"), QStringLiteral("Picture not used: Too dark."));
         snapshot.problem.clear();
         snapshot.nextRung = "paper";
         panel.setSnapshot(&snapshot);
-        QCOMPARE(test::textOf(panel, "problem"), QStringLiteral("Preparing the finder paper."));
+        QCOMPARE(test::textOf(panel, "problem"), QStringLiteral("Preparing the finder: As published."));
         snapshot.nextRung = {};
         snapshot.refusedRung = "paper";
         snapshot.whyRefused = "It cannot.";
         panel.setSnapshot(&snapshot);
-        QCOMPARE(rungs->currentText(), QStringLiteral("dots"));
+        QCOMPARE(rungs->currentData().toString(), QStringLiteral("dots"));
         QCOMPARE(test::textOf(panel, "problem"), QStringLiteral("This finder cannot be used: It cannot."));
     }
 

@@ -135,7 +135,7 @@ private slots:
         rungs->setFocus();
         QTest::keyClick(rungs, Qt::Key_Down);
         QVERIFY(comes([&] { return panel().view().picture().shown.rung == "paper"; }));
-        QCOMPARE(rungs->currentText(), QStringLiteral("paper"));
+        QCOMPARE(rungs->currentData().toString(), QStringLiteral("paper"));
     }
 
     void stopTakesTheArmsPermissionUntilTheBoxIsTickedAgain() {
