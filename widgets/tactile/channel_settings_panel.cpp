@@ -8,10 +8,10 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -21,6 +21,7 @@ namespace teleta::tactile {
 
 namespace {
 
+constexpr int kLetters = 12; ///< of a choice that have room
 constexpr double kSmallest = 1e-6;
 constexpr double kLargest = 1e9;
 /// Smallest difference of the two ratios: the hysteresis between edge and point.
@@ -48,7 +49,9 @@ QDoubleSpinBox* makeNumber(QWidget* parent, double low, double high, int decimal
 
 ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     : QWidget(parent)
-    , m_form(new QFormLayout)
+    , m_parts(new QTabWidget(this))
+    , m_loads(new QFormLayout)
+    , m_contacts(new QFormLayout)
     , m_tare(new QPushButton(this))
     , m_clearTare(new QPushButton(this))
     , m_tareState(new QLabel(this))
@@ -68,24 +71,34 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     m_range->addItems({QString(), QString()});
     m_tareState->setWordWrap(true);
 
-    auto* tareRow = new QHBoxLayout;
-    tareRow->addWidget(m_tare);
-    tareRow->addWidget(m_clearTare);
-    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    // In a narrow column beside the pictures, to which it leaves the width.
+    for (QFormLayout* form : {m_loads, m_contacts}) {
+        auto* part = new QWidget(this);
+        part->setLayout(form);
+        form->setContentsMargins(0, base::grid(this), 0, 0);
+        form->setRowWrapPolicy(QFormLayout::WrapAllRows);
+        form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+        m_parts->addTab(part, QString());
+    }
+    m_parts->setDocumentMode(true);
+    for (QComboBox* box : {m_orientation, m_range}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kLetters);
+    }
     const QString unnamed(QLatin1Char(' ')); // makes a label that retranslate() fills
-    m_form->addRow(unnamed, m_gain);
-    m_form->addRow(m_inverted);
-    m_form->addRow(unnamed, m_threshold);
-    m_form->addRow(m_automatic);
+    m_loads->addRow(unnamed, m_gain);
+    m_loads->addRow(m_inverted);
+    m_loads->addRow(unnamed, m_threshold);
+    m_loads->addRow(m_automatic);
     for (QWidget* field : std::initializer_list<QWidget*>{m_noiseHeight, m_minimumTaxels, m_orientation,
                                                           m_range, m_edgeRatio, m_pointRatio})
-        m_form->addRow(unnamed, field);
+        m_contacts->addRow(unnamed, field);
 
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(tareRow);
+    layout->addWidget(m_tare);
+    layout->addWidget(m_clearTare);
     layout->addWidget(m_tareState);
-    layout->addLayout(m_form);
+    layout->addWidget(m_parts);
     layout->addWidget(m_defaults, 0, Qt::AlignLeft);
     layout->addStretch(1);
 
@@ -199,11 +212,14 @@ void ChannelSettingsPanel::showTare() {
 
 void ChannelSettingsPanel::retranslate() {
     const auto describe = [this](QWidget* field, const QString& name, const QString& help) {
-        qobject_cast<QLabel*>(m_form->labelForField(field))->setText(name);
+        QWidget* label = m_loads->labelForField(field);
+        qobject_cast<QLabel*>(label != nullptr ? label : m_contacts->labelForField(field))->setText(name);
         field->setToolTip(help);
         field->setWhatsThis(help);
         field->setAccessibleName(QString(name).remove(QLatin1Char('&')).remove(QLatin1Char(':')));
     };
+    m_parts->setTabText(0, tr("Loads", "a group of settings"));
+    m_parts->setTabText(1, tr("Contacts", "a group of settings"));
     m_tare->setText(tr("&Tare now"));
     m_tare->setToolTip(
         tr("Takes the mean of the next half second as the unloaded state. Nothing may touch the array."));

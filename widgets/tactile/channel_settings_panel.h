@@ -12,6 +12,7 @@ class QFormLayout;
 class QLabel;
 class QPushButton;
 class QSpinBox;
+class QTabWidget;
 
 namespace teleta::tactile {
 
@@ -44,7 +45,9 @@ private:
     core::TaxelLayout m_layout;
     bool m_showing = false;
 
-    QFormLayout* m_form;
+    QTabWidget* m_parts;
+    QFormLayout* m_loads;    ///< from raw values to loads
+    QFormLayout* m_contacts; ///< what is found in them
     QPushButton* m_tare;
     QPushButton* m_clearTare;
     QLabel* m_tareState;

@@ -167,7 +167,7 @@ void OperateDocks::arrangeStacked() {
 
 void OperateDocks::shareStacked() {
     const bool isForced = m_kind == Kind::servo;
-    const int side = base::em(this, m_kind == Kind::array ? 18 : isForced ? 25 : 24);
+    const int side = base::em(this, m_kind == Kind::array ? 14 : isForced ? 25 : 24);
     const Dock form = m_kind == Kind::array ? processing : isForced ? servo : jog;
     share({{{heatmap, reconstruction}, std::max(width() - side, side)}, {{form}, side}}, Qt::Horizontal);
     if (m_kind != Kind::arm)
@@ -213,7 +213,7 @@ void OperateDocks::shareAmongKind() {
     }
     if (m_kind != Kind::arm) {
         const bool servos = m_kind == Kind::servo;
-        const int settings = base::em(this, servos ? 25 : 18);
+        const int settings = base::em(this, servos ? 25 : 14);
         const int rest = std::max(width() - settings, settings);
         share({{{heatmap, reconstruction}, height() * 11 / 20}, {{charts}, height() * 9 / 20}}, Qt::Vertical);
         share({{{heatmap}, rest * 11 / 20},

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTest>
 
 #include <algorithm>
@@ -109,6 +110,20 @@ private slots:
         const auto settings = changes[0][0].value<ChannelSettings>();
         QCOMPARE(settings.features.threshold_N, 0.5);
         QCOMPARE(settings.segmentation.threshold_N, 0.5);
+    }
+
+    void isANarrowColumnWithTwoTabs() {
+        ChannelSettingsPanel panel;
+        panel.setSettings(unusual(), kTwoTaxels);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QVERIFY(panel.minimumSizeHint().width() <= 14 * panel.fontMetrics().height());
+        auto* gain = named<QDoubleSpinBox>(panel, "Gain");
+        auto* edge = named<QDoubleSpinBox>(panel, "Edge above");
+        QVERIFY(gain->isVisible() && !edge->isVisible());
+        auto* tabs = panel.findChild<QTabBar*>();
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
+        QVERIFY(!gain->isVisible() && edge->isVisible());
     }
 
     void keepsTheTwoRatiosApart() {
