@@ -327,6 +327,18 @@ void ConsoleStyle::drawControl(ControlElement element, const QStyleOption* optio
             return;
         }
         break;
+    case CE_DockWidgetTitle:
+        if (const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(option)) {
+            QStyleOptionDockWidget titled(*dock);
+            const QFont title = bold(sized(painter->font(), kTitleText));
+            titled.fontMetrics = QFontMetrics(title);
+            painter->save();
+            painter->setFont(title);
+            QProxyStyle::drawControl(element, &titled, painter, widget);
+            painter->restore();
+            return;
+        }
+        break;
     case CE_Splitter:
         return drawPrimitive(PE_IndicatorDockWidgetResizeHandle, option, painter, widget);
     default:

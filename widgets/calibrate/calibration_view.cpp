@@ -32,7 +32,7 @@ private:
 
 CalibrationView::CalibrationView(std::initializer_list<const char*> tools, QWidget* parent)
     : QWidget(parent) {
-    m_title->setFont(base::sized(font(), base::kLargeText));
+    m_title->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_verdict->setWordWrap(true);
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* top = new QHBoxLayout;

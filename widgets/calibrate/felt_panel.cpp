@@ -16,7 +16,7 @@ namespace teleta::calibrate {
 FeltPanel::FeltPanel(QWidget* parent)
     : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    m_title->setFont(base::sized(font(), base::kLargeText));
+    m_title->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_question->setFont(base::sized(font(), base::kLargeText));
     for (QLabel* label : {m_title, m_question, m_trouble})
         label->setWordWrap(true);

@@ -59,7 +59,7 @@ QString limitsText(const core::Intensities& strongest) {
 
 MotorsView::MotorsView(QWidget* parent)
     : CalibrationView({"undo", "redo", "load", "copy", "reset", "save"}, parent) {
-    m_heading->setFont(base::sized(font(), base::kLargeText));
+    m_heading->setFont(base::bold(base::sized(font(), base::kTitleText)));
     m_steps->addWidget(makeSteps());
     m_steps->addWidget(m_felt);
     m_steps->addWidget(makeMeasuring());
@@ -146,7 +146,7 @@ QWidget* MotorsView::makeSteps() {
 
 QWidget* MotorsView::makeMeasuring() {
     auto* page = new QWidget(this);
-    m_measureText->setFont(base::sized(font(), base::kLargeText));
+    m_measureText->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_measureText->setWordWrap(true);
     m_progress->setRange(0, 100);
     auto* layout = new QVBoxLayout(page);

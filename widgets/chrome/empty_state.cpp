@@ -101,7 +101,7 @@ void EmptyState::resizeEvent(QResizeEvent* event) {
 }
 
 void EmptyState::restyle() {
-    m_headline->setFont(base::sized(font(), base::kLargeText));
+    m_headline->setFont(base::bold(base::sized(font(), base::kLargeText)));
     const int side = base::em(this, kEmptyPicture_em);
     QPixmap picture(QSize(side, side) * devicePixelRatio());
     picture.setDevicePixelRatio(devicePixelRatio());

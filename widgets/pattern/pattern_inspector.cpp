@@ -53,7 +53,7 @@ PatternInspector::PatternInspector(PatternDocument* document, QWidget* parent)
     }
     m_notes->setTabChangesFocus(true);
     m_notes->setFixedHeight(base::em(this, 3.4));
-    m_title->setFont(base::bold(font()));
+    m_title->setFont(base::bold(base::sized(font(), base::kTitleText)));
     const auto inARow = [this](QWidget* first, QWidget* second) {
         auto* row = new QWidget(this);
         auto* both = new QHBoxLayout(row);

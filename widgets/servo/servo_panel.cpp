@@ -68,7 +68,7 @@ ServoPanel::ServoPanel(QWidget* parent)
     , m_moment(new QCheckBox(this))
     , m_changes(new QLabel(this))
     , m_planned(new QPushButton(this)) {
-    m_state->setFont(base::sized(font(), base::kLargeText));
+    m_state->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_state->setWordWrap(true);
     m_limits->setWordWrap(true);
     m_verdict->setWordWrap(true);

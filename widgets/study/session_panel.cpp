@@ -64,7 +64,7 @@ SessionPanel::SessionPanel(QWidget* parent)
     , m_state(new StateLabel(this))
     , m_outcomes(new QTableWidget(0, columns, this)) {
     m_title->setTextFormat(Qt::PlainText);
-    m_title->setFont(base::sized(font(), base::kLargeText));
+    m_title->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_mark->setFont(base::bold(font()));
     m_next->setFont(base::sized(m_mark->font(), base::kLargeText));
     m_next->setMinimumHeight(base::em(this, 3.6));

@@ -27,9 +27,9 @@ constexpr int kSession = Qt::UserRole;
 StudyPanel::StudyPanel(QWidget* parent)
     : QWidget(parent) {
     m_open->setMenu(new QMenu(m_open));
-    m_name->setFont(base::sized(font(), base::kLargeText));
-    for (QLabel* label : {m_mark, m_people})
-        label->setFont(base::bold(font()));
+    m_name->setFont(base::bold(base::sized(font(), base::kLargeText)));
+    m_mark->setFont(base::bold(font()));
+    m_people->setFont(base::bold(base::sized(font(), base::kTitleText)));
     for (QLabel* label : {m_name, m_folder, m_store, m_protocol}) {
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);

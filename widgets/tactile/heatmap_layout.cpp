@@ -10,7 +10,10 @@ namespace teleta::tactile {
 
 namespace {
 
-constexpr double kAside_em = 0.5;   ///< left and right of everything
+constexpr double kAside_em = 0.5; ///< left and right of everything
+constexpr double kHeader_em = 1.8;
+constexpr double kTallHeader_em = 2.6; ///< where there is room for a large reading
+constexpr double kTall_em = 24.0;
 constexpr double kMostLegend = 0.3; ///< of the height, below the array
 constexpr double kBeside_em = 9.5;  ///< width of a legend beside the array
 constexpr double kLabels_em = 2.5;  ///< width of the labels of contacts beside it
@@ -60,7 +63,8 @@ HeatmapLayout::HeatmapLayout(const QRectF& bounds, const QFontMetricsF& metrics,
     , m_array(cellsOf(taxels)) {
     const double em = metrics.height();
     const QRectF inner = bounds.adjusted(kAside_em * em, 0.25 * em, -kAside_em * em, -0.25 * em);
-    m_header = QRectF(inner.left(), inner.top(), inner.width(), 1.8 * em);
+    m_header = QRectF(inner.left(), inner.top(), inner.width(),
+                      (inner.height() >= kTall_em * em ? kTallHeader_em : kHeader_em) * em);
     m_readout = QRectF(inner.left(), inner.bottom() - 1.4 * em, inner.width(), 1.4 * em);
     const double line = kLegendLine_em * em;
     const double lines = std::clamp(std::floor(kMostLegend * inner.height() / line), 1.0,

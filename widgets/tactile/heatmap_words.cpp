@@ -75,45 +75,58 @@ void HeatmapPainter::paintHeader() {
         base::paintProvenance(*m_painter, m_layout->header(), m_content->provenance, m_palette, m_em);
     const QFont normal = m_painter->font();
     const QFont bold = base::bold(base::sized(normal, base::kLargeText));
+    const QFont huge = base::bold(base::sized(normal, base::kHugeText));
+    const auto wide = [](const QString& text, const QFont& font) {
+        return base::tabularWidth(QFontMetricsF(font), text);
+    };
+    struct Pair {
+        QString name, value, widest;
+    };
+    std::vector<Pair> pairs;
+    for (const FrameLoad& load : m_content->loads)
+        pairs.push_back({load.name, load.value, {}});
+    pairs.push_back({tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {}});
+    if (m_content->hasShear() && m_content->shows(Overlay::shear))
+        pairs.push_back({tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {}});
+    pairs.push_back({tr("contacts"), QString::number(m_content->contacts()), QStringLiteral("88")});
+    static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
+    pairs.push_back({tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), tr("point")});
+    // No load is shown without the mark that it is extrapolated.
+    const QString mark = m_content->extrapolated ? tr("extrapolated", "loads") : QString();
+    const double markWidth = mark.isEmpty() ? 0.0 : wide(mark, normal) + 1.2 * m_em;
+    const auto nameWidth = [&](const Pair& pair) { return wide(pair.name, normal) + 0.4 * m_em; };
+    const auto valueWidth = [&](const Pair& pair, const QFont& font) {
+        return std::max(wide(pair.value, font), wide(pair.widest, font));
+    };
+    // The first value is larger where all of them still fit.
+    double all = markWidth + valueWidth(pairs.front(), huge) - valueWidth(pairs.front(), bold) - 1.2 * m_em;
+    for (const Pair& pair : pairs)
+        all += nameWidth(pair) + valueWidth(pair, bold) + 1.2 * m_em;
+    const bool isLarge = all <= rect.width() && QFontMetricsF(huge).ascent() <= rect.height();
+
     double x = rect.left();
     QStringList shown;
-    const auto piece = [&](const QString& text, bool strong, double width) {
-        m_painter->setFont(strong ? bold : normal);
-        m_painter->setPen(m_palette.color(strong ? QPalette::Text : QPalette::PlaceholderText));
+    const auto piece = [&](const QString& text, const QFont& font, QPalette::ColorRole colour, double width) {
+        m_painter->setFont(font);
+        m_painter->setPen(m_palette.color(colour));
         base::drawTabularText(*m_painter, QRectF(x, rect.top(), width, rect.height()),
                               Qt::AlignLeft | Qt::AlignVCenter, text);
         x += width;
     };
-    const auto widthOf = [&](const QString& text, bool strong) {
-        return base::tabularWidth(QFontMetricsF(strong ? bold : normal), text);
-    };
-    double right = rect.right();
-    const auto pair = [&](const QString& name, const QString& value, const QString& widest) {
-        const double nameWidth = widthOf(name, false) + 0.4 * m_em;
-        const double valueWidth = std::max(widthOf(value, true), widthOf(widest, true));
-        if (x + nameWidth + valueWidth > right)
-            return;
-        piece(name, false, nameWidth);
-        piece(value, true, valueWidth + 1.2 * m_em);
-        shown << name + QLatin1Char(' ') + value;
-    };
-    // No load is shown without the mark that it is extrapolated.
-    const QString mark = m_content->extrapolated ? tr("extrapolated", "loads") : QString();
-    const double markWidth = mark.isEmpty() ? 0.0 : widthOf(mark, false) + 1.2 * m_em;
-    right -= markWidth;
-    for (const FrameLoad& load : m_content->loads)
-        pair(load.name, load.value, {});
-    right += markWidth;
-    if (!mark.isEmpty() && !shown.isEmpty()) {
-        piece(mark, false, markWidth);
-        shown << mark;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Pair& pair = pairs[i];
+        const bool isLoad = i < m_content->loads.size();
+        const QFont& font = i == 0 && isLarge ? huge : bold;
+        if (x + nameWidth(pair) + valueWidth(pair, font) <= rect.right() - (isLoad ? markWidth : 0.0)) {
+            piece(pair.name, normal, QPalette::PlaceholderText, nameWidth(pair));
+            piece(pair.value, font, QPalette::Text, valueWidth(pair, font) + 1.2 * m_em);
+            shown << pair.name + QLatin1Char(' ') + pair.value;
+        }
+        if (i + 1 == m_content->loads.size() && !mark.isEmpty() && !shown.isEmpty()) {
+            piece(mark, normal, QPalette::PlaceholderText, markWidth);
+            shown << mark;
+        }
     }
-    pair(tr("force"), base::withUnit(m_content->forceText, m_content->unit()), {});
-    if (m_content->hasShear() && m_content->shows(Overlay::shear))
-        pair(tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {});
-    pair(tr("contacts"), QString::number(m_content->contacts()), QStringLiteral("88"));
-    static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
-    pair(tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), {});
     m_painter->setFont(normal);
     m_headerText = shown.join(QStringLiteral(", "));
 }

@@ -60,10 +60,12 @@ private:
         QRectF room = m_layout.headline;
         if (isKnown()) {
             const bool safe = stiffness::isSafe(m_content.touch->material);
-            const QSizeF size = safetySignSize(m_font, safe);
-            paintSafetySign(m_painter, QRectF(m_layout.sign.topRight() - QPointF(size.width(), 0.0), size),
-                            m_font, safe, m_palette);
-            room.setRight(m_layout.sign.right() - size.width() - 0.5 * m_layout.em);
+            const QFont font = signFont(safe);
+            QRectF sign({}, safetySignSize(font, safe));
+            sign.moveCenter(room.center());
+            sign.moveRight(room.right());
+            paintSafetySign(m_painter, sign, font, safe, m_palette);
+            room.setRight(sign.left() - 0.5 * m_layout.em);
         }
         const bool known = m_content.touch.has_value();
         const QString text =
@@ -97,6 +99,20 @@ private:
                 m_painter, QRectF(room.left() - 1.25 * mark, line.center().y() - 0.5 * mark, mark, mark),
                 core::DeviceState::stale, m_palette);
         return line.adjusted(0.0, 0.0, -width - 1.25 * mark - 0.5 * m_layout.em, 0.0);
+    }
+
+    /// As large as the reading beside it allows.
+    QFont signFont(bool safe) const {
+        const QFont reading = base::sized(m_font, base::kHugeText);
+        const double room = m_layout.headline.width() - 0.5 * m_layout.em -
+                            QFontMetricsF(reading).horizontalAdvance(GaugeTexts::headline(m_content));
+        for (const double size : {base::kLargeText, base::kTitleText}) {
+            const QFont candidate = base::sized(m_font, size);
+            const QSizeF size = safetySignSize(candidate, safe);
+            if (size.width() <= room && size.height() <= m_layout.headline.height())
+                return candidate;
+        }
+        return m_font;
     }
 
     /// Whether the material may be told.
@@ -321,7 +337,6 @@ GaugeLayout::GaugeLayout(const QRectF& rect, const QFont& font)
         return room;
     };
     headline = row(headlineHeight);
-    sign = headline.adjusted(0.0, (headlineHeight - 2.0) * em, 0.0, 0.0);
     material = row(kMaterial);
     y += gap * em;
     names = row(namesHeight);

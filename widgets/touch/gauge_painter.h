@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::optional<std::size_t> bandAt(const QPointF& point) const;
 
     double em = 16.0;
-    QRectF headline, sign, material, names, interval, bands, axis, details;
+    QRectF headline, material, names, interval, bands, axis, details;
 };
 
 /// Draws the gauge. Thread: GUI (fonts).

@@ -51,9 +51,9 @@ enum Column {
     columns
 };
 
-QLabel* heading(QWidget* parent) {
+QLabel* heading(QWidget* parent, double size = base::kTitleText) {
     auto* label = new QLabel(parent);
-    label->setFont(base::sized(label->font(), base::kLargeText));
+    label->setFont(base::bold(base::sized(label->font(), size)));
     return label;
 }
 
@@ -210,7 +210,7 @@ QWidget* CostPage::makeLadderColumn() {
 
 QWidget* CostPage::makeMiddle() {
     auto* middle = new QWidget(this);
-    m_title = heading(middle);
+    m_title = heading(middle, base::kLargeText);
     m_title->setObjectName(QStringLiteral("title"));
     m_truth = wrapped(middle);
     m_chart = new cost::CostChart(middle);

@@ -75,7 +75,7 @@ SweepPanel::SweepPanel(SweepRunning::MakeSources makeSources, QWidget* parent)
 QWidget* SweepPanel::makeListColumn() {
     auto* column = new QWidget(this);
     m_heading = new QLabel(column);
-    m_heading->setFont(base::sized(m_heading->font(), base::kLargeText));
+    m_heading->setFont(base::bold(base::sized(font(), base::kTitleText)));
     m_list = base::named<QListWidget>("sweeps", column);
     m_list->setFrameShape(QFrame::NoFrame);
     for (const QString& name : app::sweepNames()) {
@@ -110,7 +110,7 @@ QWidget* SweepPanel::makeListColumn() {
 QWidget* SweepPanel::makeMiddle() {
     auto* middle = new QWidget(this);
     m_title = base::named<QLabel>("sweepTitle", middle);
-    m_title->setFont(base::sized(m_title->font(), base::kLargeText));
+    m_title->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_about = new QLabel(middle);
     m_about->setWordWrap(true);
     m_measureLabel = new QLabel(middle);

@@ -177,7 +177,7 @@ private slots:
                     found += image.pixelColor(x, y) == colour ? 1 : 0;
             return found;
         };
-        const QRectF sign = safe.gauge.layoutNow().sign;
+        const QRectF sign = safe.gauge.layoutNow().headline;
         const QImage safeImage = safe.draw(), dangerImage = danger.draw();
         QVERIFY(pixels(safeImage, sign, colours.live) > 40);
         QCOMPARE(pixels(safeImage, sign, colours.lost), 0);

@@ -38,9 +38,7 @@ ArmServoPanel::ArmServoPanel(QWidget* parent)
     , m_what(new QLabel(this))
     , m_ending(new QLabel(this)) {
     setFocusPolicy(Qt::StrongFocus);
-    QFont bold = m_title->font();
-    bold.setBold(true);
-    m_title->setFont(bold);
+    m_title->setFont(base::bold(base::sized(font(), base::kTitleText)));
     m_task->setObjectName(QStringLiteral("armTask"));
     for (std::size_t i = 0; i < kArmTasks.size(); ++i)
         m_task->addItem({});

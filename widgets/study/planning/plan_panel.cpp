@@ -84,7 +84,7 @@ PlanPanel::PlanPanel(QWidget* parent)
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
     }
-    m_answer->setFont(base::bold(m_answer->font()));
+    m_answer->setFont(base::bold(base::sized(m_answer->font(), base::kTitleText)));
     m_start->setDefault(true);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(base::grid(this));

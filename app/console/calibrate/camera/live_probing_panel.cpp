@@ -33,10 +33,7 @@ LiveProbingPanel::LiveProbingPanel(QWidget* parent)
     , m_reference(new QPushButton(this))
     , m_stop(base::named<QPushButton>("stop", this)) {
     m_picture->setFixedSize(base::em(this, 26), base::em(this, 15));
-    QFont large = font();
-    large.setPointSizeF(1.5 * large.pointSizeF());
-    large.setBold(true);
-    m_next->setFont(large);
+    m_next->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_state->setWordWrap(true);
     m_progress->setRange(0, 100);
     m_progress->setTextVisible(false);

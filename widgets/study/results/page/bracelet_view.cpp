@@ -54,7 +54,7 @@ BraceletView::BraceletView(QWidget* parent)
 
 BraceletView::Section BraceletView::addSection(const char* name) {
     Section section{new QLabel(m_content), new ResultTable(QString::fromLatin1(name), m_content)};
-    section.title->setFont(base::bold(section.title->font()));
+    section.title->setFont(base::bold(base::sized(section.title->font(), base::kTitleText)));
     section.table->setObjectName(QLatin1String(name));
     base::addWidgets(static_cast<QVBoxLayout*>(m_content->layout()), {section.title, section.table});
     connect(&section.table->exporter(), &base::FigureExport::failed, this, &BraceletView::figureFailed);

@@ -40,7 +40,7 @@ ComparisonsView::ComparisonsView(QWidget* parent)
 ComparisonsView::Section ComparisonsView::addSection(const char* name) {
     Section section;
     section.title = new QLabel(m_content);
-    section.title->setFont(base::bold(section.title->font()));
+    section.title->setFont(base::bold(base::sized(section.title->font(), base::kTitleText)));
     section.table = new ResultTable(QString::fromLatin1(name), m_content);
     section.table->setObjectName(QLatin1String(name));
     section.note = new QLabel(m_content);

@@ -45,7 +45,7 @@ QLabel* note(QWidget* parent) {
 
 QLabel* heading(QWidget* parent) {
     auto* label = new QLabel(parent);
-    label->setFont(base::bold(label->font()));
+    label->setFont(base::bold(base::sized(label->font(), base::kTitleText)));
     return label;
 }
 
