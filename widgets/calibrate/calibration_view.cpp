@@ -35,13 +35,14 @@ CalibrationView::CalibrationView(std::initializer_list<const char*> tools, QWidg
     m_title->setFont(base::bold(base::sized(font(), base::kLargeText)));
     m_verdict->setWordWrap(true);
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_title, 1);
+    m_top->addWidget(m_title, 1);
+    auto* row = new QHBoxLayout;
     for (const char* tool : tools)
-        top->addWidget(addButton(tool, this));
+        row->addWidget(addButton(tool, this));
+    m_top->addLayout(row);
     const int margin = base::grid(this);
     m_page->setContentsMargins(margin, margin, margin, margin);
-    m_page->addLayout(top);
+    m_page->addLayout(m_top);
     m_page->addWidget(m_state);
 
     connect(m_changes, &QUndoStack::indexChanged, this, &CalibrationView::refresh);
@@ -61,6 +62,16 @@ CalibrationView::CalibrationView(std::initializer_list<const char*> tools, QWidg
 CalibrationView::~CalibrationView() {
     // An undo stack emits indexChanged when destroyed; the derived class no longer exists then.
     disconnect(m_changes, nullptr, this, nullptr);
+}
+
+void CalibrationView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_top->setDirection(isNarrow() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+bool CalibrationView::isNarrow() const {
+    constexpr double kNarrow_em = 46.0;
+    return width() < base::em(this, kNarrow_em);
 }
 
 bool CalibrationView::isSaved() const {
@@ -84,8 +95,12 @@ QPushButton* CalibrationView::button(const char* name) const {
 }
 
 void CalibrationView::name(const char* which, const QString& text, const QString& toolTip) {
-    button(which)->setText(text);
-    button(which)->setToolTip(toolTip);
+    QPushButton* named = button(which);
+    named->setText(text);
+    named->setToolTip(toolTip);
+    // Where there is little room it keeps its text and gives up the room around it.
+    named->setMinimumWidth(named->fontMetrics().size(Qt::TextShowMnemonic, text).width() +
+                           base::grid(this, 2.0));
 }
 
 void CalibrationView::enable(const char* which, bool enabled) {

@@ -63,10 +63,14 @@ protected:
     virtual void redo() = 0;
     /// Updates everything; called after every change.
     virtual void refresh() = 0;
+    /// Whether there is too little width for the title beside the tools.
+    [[nodiscard]] bool isNarrow() const;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QUndoStack* m_changes = new QUndoStack(this);
     QVBoxLayout* m_page = new QVBoxLayout(this);
+    QBoxLayout* m_top = new QBoxLayout(QBoxLayout::LeftToRight);
     QLabel* m_title = new base::ElidedLabel(this);
     QLabel* m_state = base::named<base::ElidedLabel>("state", this);
     QLabel* m_verdict = base::named<QLabel>("verdict", this);

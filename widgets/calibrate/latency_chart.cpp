@@ -31,6 +31,7 @@ LatencyChart::LatencyChart(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
+    plot::keepTicksApart(*m_plot);
     setMinimumSize(base::em(this, 24), base::em(this, 10));
     restyle();
     base::onChange(this, &LatencyChart::draw, {QEvent::LanguageChange});

@@ -7,8 +7,8 @@
 #include "widgets/base/theme.h"
 #include "widgets/plot/plot_style.h"
 
+#include <QBoxLayout>
 #include <qcustomplot.h>
-#include <QHBoxLayout>
 
 #include <algorithm>
 #include <initializer_list>
@@ -19,6 +19,9 @@ namespace teleta::calibrate {
 namespace {
 
 constexpr double kInterval95 = 1.96;
+constexpr double kLowChart_em = 12.0;
+/// Charts of less width stand one above the other.
+constexpr double kNarrowCharts_em = 30.0;
 
 QString row(std::initializer_list<double> values) {
     QString text;
@@ -62,13 +65,15 @@ QCPGraph* addGraph(QCustomPlot* plot, const QPen& pen, const QString& name) {
 } // namespace
 
 MotorChart::MotorChart(QWidget* parent)
-    : SizedView(parent, {60, 18}, {})
+    : SizedView(parent, {60, 18}, {14, 9})
+    , m_layout(new QBoxLayout(QBoxLayout::LeftToRight, this))
     , m_curve(new QCustomPlot(this))
     , m_recording(new QCustomPlot(this)) {
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_curve, 2);
-    layout->addWidget(m_recording, 3);
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->addWidget(m_curve, 2);
+    m_layout->addWidget(m_recording, 3);
+    for (QCustomPlot* chart : {m_curve, m_recording})
+        plot::keepTicksApart(*chart);
     m_recording->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_recording->axisRect()->setRangeZoom(Qt::Horizontal);
     m_recording->axisRect()->setRangeDrag(Qt::Horizontal);
@@ -106,6 +111,9 @@ void MotorChart::draw() {
 
 void MotorChart::resizeEvent(QResizeEvent* event) {
     SizedView::resizeEvent(event);
+    const bool isNarrow = width() < base::em(this, kNarrowCharts_em);
+    m_layout->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_layout->setStretch(0, isNarrow ? 3 : 2);
     draw(); // the texts wrap
 }
 
@@ -203,6 +211,7 @@ void MotorChart::drawCurve() {
                                          .arg(base::fixedDigits(100.0 * m_evidence->fit.explained, 2))
                                          .arg(base::fixedDigits(m_evidence->fit.residual_Hz, 2));
     text->setText(wrapped(*m_curve, words));
+    text->setVisible(m_curve->height() >= base::em(this, kLowChart_em)); // else it would hide the curve
     m_curve->xAxis->setRange(0.0, 102.0);
     m_curve->yAxis->setRange(0.0, 1.25 * highest_Hz);
     m_curve->replot(QCustomPlot::rpQueuedReplot);

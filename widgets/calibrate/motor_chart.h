@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <vector>
 
+class QBoxLayout;
 class QCPItemText;
 class QCustomPlot;
 
@@ -69,6 +70,7 @@ private:
     double m_liveDuration_s = 0.0;
     base::Provenance m_provenance = base::Provenance::live;
     QPalette m_colours;
+    QBoxLayout* m_layout;
     QCustomPlot* m_curve;
     QCustomPlot* m_recording;
 };

@@ -12,7 +12,6 @@
 #include <QGridLayout>
 #include <QLocale>
 #include <QPushButton>
-#include <QSplitter>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
@@ -29,6 +28,9 @@ namespace {
 
 /// Share of a measurement's time without readings above which the user is asked to measure again.
 constexpr double kBusyShare = 0.01;
+
+/// A view that is lower has the chart behind the table.
+constexpr double kLowView_em = 36.0;
 
 enum Page { kSteps, kFelt, kMeasuring };
 
@@ -63,19 +65,21 @@ MotorsView::MotorsView(QWidget* parent)
     m_steps->addWidget(makeSteps());
     m_steps->addWidget(m_felt);
     m_steps->addWidget(makeMeasuring());
+    m_views->setDocumentMode(true);
+    m_views->setTabBarAutoHide(true);
+    m_views->addTab(m_table, QString());
     auto* upper = new QSplitter(Qt::Horizontal, this);
     upper->setChildrenCollapsible(false);
-    upper->addWidget(m_table);
+    upper->addWidget(m_views);
     upper->addWidget(m_steps);
     upper->setStretchFactor(0, 3);
     upper->setStretchFactor(1, 2);
-    auto* all = new QSplitter(Qt::Vertical, this);
-    all->setChildrenCollapsible(false);
-    all->addWidget(upper);
-    all->addWidget(m_chart);
-    all->setStretchFactor(0, 1);
-    all->setStretchFactor(1, 1);
-    page().addWidget(all, 1);
+    m_parts->setChildrenCollapsible(false);
+    m_parts->addWidget(upper);
+    m_parts->addWidget(m_chart);
+    m_parts->setStretchFactor(0, 1);
+    m_parts->setStretchFactor(1, 1);
+    page().addWidget(m_parts, 1);
 
     connect(m_table, &MotorTable::motorSelected, this, &MotorsView::refresh);
     connect(m_chart, &MotorChart::exportFailed, this, &MotorsView::exportFailed);
@@ -108,6 +112,21 @@ MotorsView::MotorsView(QWidget* parent)
     act("balance", [this] { ask(FeltTask::balance(m_calibration)); });
     base::keepTranslated(this, &MotorsView::retranslate);
     base::onChange(this, &MotorsView::refresh, {QEvent::PaletteChange});
+}
+
+void MotorsView::resizeEvent(QResizeEvent* event) {
+    CalibrationView::resizeEvent(event);
+    for (QLabel* group : m_groups)
+        group->setVisible(!isNarrow()); // the buttons say it, too
+    const bool isLow = height() < base::em(this, kLowView_em);
+    if (isLow == (m_views->count() > 1))
+        return;
+    if (isLow) {
+        m_views->addTab(m_chart, tr("Curves"));
+    } else {
+        m_parts->addWidget(m_chart);
+        m_chart->show();
+    }
 }
 
 void MotorsView::ask(FeltTask task) {
@@ -252,6 +271,8 @@ void MotorsView::setMeasuring(std::optional<std::size_t> motor, double progress,
                          .arg(of)
                    : tr("Measuring motor %1: steps up to full drive, then pulses.").arg(*motor + 1));
         m_table->selectMotor(*motor);
+        if (m_views->count() > 1)
+            m_views->setCurrentWidget(m_chart);
     }
     refresh();
 }
@@ -372,6 +393,9 @@ void MotorsView::showChart() {
 }
 
 void MotorsView::retranslate() {
+    m_views->setTabText(0, tr("Motors"));
+    if (m_views->count() > 1)
+        m_views->setTabText(1, tr("Curves"));
     name("undo", tr("Undo"), tr("Undo the last change or answer (Ctrl+Z)"));
     name("redo", tr("Redo"), tr("Redo the change undone last"));
     name("load", tr("&Load\u2026"), tr("Load a profile of this bracelet from a file"));

@@ -11,7 +11,9 @@
 
 #include <QLabel>
 #include <QProgressBar>
+#include <QSplitter>
 #include <QStackedWidget>
+#include <QTabWidget>
 
 #include <array>
 #include <cstddef>
@@ -74,6 +76,9 @@ signals:
     /// The calibration has changed and takes effect at once.
     void calibrationChanged(const teleta::motors::MotorCalibration& calibration);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QWidget* makeSteps();
     QWidget* makeMeasuring();
@@ -103,6 +108,8 @@ private:
     QProgressBar* m_progress = new QProgressBar(this);
     FeltPanel* m_felt = new FeltPanel(this);
     MotorChart* m_chart = new MotorChart(this);
+    QTabWidget* m_views = new QTabWidget(this); ///< the table, and the chart where there is little room
+    QSplitter* m_parts = new QSplitter(Qt::Vertical, this);
 };
 
 } // namespace teleta::calibrate

@@ -17,6 +17,10 @@ void stylePlot(QCustomPlot& plot, const QPalette& colours, const QFont& font);
 /// The same for one axis, for those beside the usual two.
 void styleAxis(QCPAxis& axis, const QPalette& colours, const QFont& font);
 
+/// Takes fewer ticks on the left and the bottom axis where the plot is small, so that their labels stay
+/// apart. Thread: GUI.
+void keepTicksApart(QCustomPlot& plot);
+
 /// Pen of the grid lines. Thread: any (pure).
 [[nodiscard]] QColor gridColour(const QPalette& colours);
 

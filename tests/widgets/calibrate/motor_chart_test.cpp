@@ -79,6 +79,30 @@ private slots:
         QVERIFY(light < 0.2);
     }
 
+    void itsTicksStayApartInALowChart() {
+        DarkChart shown;
+        for (const QSize size : {QSize(1000, 600), QSize(1000, 150), QSize(240, 300)}) {
+            shown.chart.resize(size);
+            (void)shown.chart.grab();
+            for (QCustomPlot* plot : shown.chart.findChildren<QCustomPlot*>()) {
+                plot->replot();
+                const QFontMetrics metrics(plot->yAxis->tickLabelFont());
+                const QVector<double> ticks = plot->yAxis->tickVector();
+                QVERIFY(!ticks.isEmpty());
+                for (qsizetype i = 1; i < ticks.size(); ++i)
+                    QVERIFY2(plot->yAxis->coordToPixel(ticks[i - 1]) - plot->yAxis->coordToPixel(ticks[i]) >=
+                                 metrics.ascent(),
+                             qPrintable(QString::number(plot->height())));
+                const QVector<double> across = plot->xAxis->tickVector();
+                const QVector<QString> words = plot->xAxis->tickVectorLabels();
+                for (qsizetype i = 1; i < across.size(); ++i)
+                    QVERIFY(plot->xAxis->coordToPixel(across[i]) - plot->xAxis->coordToPixel(across[i - 1]) >=
+                            0.5 * (metrics.horizontalAdvance(words[i - 1]) +
+                                   metrics.horizontalAdvance(words[i])));
+            }
+        }
+    }
+
     void keepsTheZoomWhenItIsExportedAndWhenTheThemeChanges() {
         DarkChart shown;
         auto* plot = shown.chart.findChildren<QCustomPlot*>().at(1);

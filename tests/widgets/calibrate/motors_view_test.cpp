@@ -3,6 +3,7 @@
 #include "tests/widgets/parts.h"
 #include "tests/widgets/test_registry.h"
 #include "widgets/calibrate/felt_panel.h"
+#include "widgets/calibrate/motor_chart.h"
 #include "widgets/calibrate/motor_table.h"
 #include "widgets/calibrate/motors_view.h"
 
@@ -10,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 
 using namespace teleta;
@@ -106,6 +108,27 @@ private slots:
         QCOMPARE(chart->liveSpeeds(), std::size_t(1)); // of the next one
         desk.view.setMeasuring(std::nullopt);
         QCOMPARE(chart->liveSpeeds(), std::size_t(0));
+    }
+
+    void whereThereIsLittleHeightTheCurvesStandBehindTheTable() {
+        Desk desk;
+        auto* chart = desk.view.findChild<MotorChart*>();
+        auto* tabs = desk.view.findChild<QTabBar*>();
+        QVERIFY(chart->isVisible() && desk.table->isVisible());
+        QVERIFY(!tabs->isVisible());
+        desk.view.resize(800, 420);
+        QTRY_VERIFY(tabs->isVisible());
+        QVERIFY(desk.table->isVisible());
+        QVERIFY(!chart->isVisible());
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
+        QTRY_VERIFY(chart->isVisible());
+        QVERIFY2(chart->height() > desk.view.height() / 2, qPrintable(QString::number(chart->height())));
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(0).center());
+        desk.view.setMeasuring(2, 0.1);
+        QVERIFY2(chart->isVisible(), "what is measured is seen");
+        desk.view.resize(1200, 800);
+        QTRY_VERIFY(!tabs->isVisible());
+        QVERIFY(chart->isVisible() && desk.table->isVisible());
     }
 
     void aLongStateIsCutAndToldByItsToolTip() {
