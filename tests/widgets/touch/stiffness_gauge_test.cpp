@@ -236,7 +236,7 @@ private slots:
             shown.gauge.resize(shown.gauge.minimumSizeHint().width(), height);
             const GaugeLayout layout = shown.gauge.layoutNow();
             const QRectF all = shown.gauge.rect();
-            for (const QRectF& part : {layout.headline, layout.sign, layout.material, layout.bands})
+            for (const QRectF& part : {layout.headline, layout.material, layout.bands})
                 QVERIFY2(part.height() > 0.0 && all.contains(part), qPrintable(QString::number(height)));
             const int parts = (layout.names.isEmpty() ? 0 : 1) + (layout.axis.isEmpty() ? 0 : 1) +
                               (layout.details.isEmpty() ? 0 : 1);
