@@ -112,7 +112,7 @@ struct TouchStiffness {
                                                                       const TouchSettings& settings);
 
 /// The value of TouchStiffness::objectCompliance alone, in m/N, without its error. For looking at the same
-/// touch with other settings: it takes about a third of the time. Thread: any (pure). Error: a Refusal of the
+/// touch with other settings: it takes half of the time. Thread: any (pure). Error: a Refusal of the
 /// samples, the settings or the line; what estimateStiffness() refuses for its error is not seen here.
 [[nodiscard]] tl::expected<double, Refusal> estimateObjectCompliance(std::span<const JointSample> samples,
                                                                      const TouchSettings& settings);
