@@ -221,6 +221,7 @@ void MainWindow::showRecent() {
     m_operate->chooser().setRecent(m_settings.recentFiles());
     m_operate->startPage().setRecent(m_settings.recentFiles());
     m_patterns->editor().setRecent(m_settings.recentPatterns());
+    m_study->setLast(m_settings.recentStudies().value(0));
     buildMenus();
 }
 

@@ -4,7 +4,6 @@
 #include "widgets/base/on_change.h"
 #include "widgets/base/shown_path.h"
 #include "widgets/base/theme.h"
-#include "widgets/study/watermark.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -28,7 +27,6 @@ StudyPanel::StudyPanel(QWidget* parent)
     : QWidget(parent) {
     m_open->setMenu(new QMenu(m_open));
     m_name->setFont(base::bold(base::sized(font(), base::kLargeText)));
-    m_mark->setFont(base::bold(font()));
     m_people->setFont(base::bold(base::sized(font(), base::kTitleText)));
     for (QLabel* label : {m_name, m_folder, m_store, m_protocol}) {
         label->setTextFormat(Qt::PlainText);
@@ -49,9 +47,6 @@ StudyPanel::StudyPanel(QWidget* parent)
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
 
-    auto* head = new QHBoxLayout;
-    head->addWidget(m_name, 1);
-    head->addWidget(m_mark, 0, Qt::AlignTop);
     auto* buttons = new QHBoxLayout;
     base::addWidgets(buttons, {m_new, m_open, m_edit});
     auto* add = new QHBoxLayout;
@@ -61,8 +56,7 @@ StudyPanel::StudyPanel(QWidget* parent)
     const int margin = base::grid(this, 2);
     layout->setContentsMargins(margin, margin, margin, margin);
     layout->setSpacing(base::grid(this));
-    layout->addLayout(head);
-    base::addWidgets(layout, {m_folder, m_store, m_protocol});
+    base::addWidgets(layout, {m_name, m_folder, m_store, m_protocol});
     layout->addLayout(buttons);
     layout->addSpacing(base::grid(this));
     layout->addWidget(m_people);
@@ -125,8 +119,6 @@ void StudyPanel::setScene(const PanelScene& scene) {
 
 void StudyPanel::refresh() {
     m_name->setText(m_scene.name);
-    m_mark->setText(modeMark(m_scene.mode));
-    base::setTextColour(m_mark, modeColour(m_scene.mode, palette()));
     m_folder->setText(base::fromHome(m_scene.folder));
     m_folder->setToolTip(m_scene.folder);
     base::setTextColour(m_folder, palette().color(QPalette::PlaceholderText));

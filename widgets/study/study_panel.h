@@ -82,7 +82,6 @@ private:
 
     PanelScene m_scene;
     QLabel* m_name = new QLabel(this);
-    QLabel* m_mark = new QLabel(this);
     QLabel* m_folder = new QLabel(this);
     QLabel* m_store = base::named<QLabel>("store", this);
     QLabel* m_protocol = new QLabel(this);

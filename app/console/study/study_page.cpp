@@ -12,7 +12,6 @@
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
-#include "widgets/chrome/empty_state.h"
 #include "widgets/study/participant/participant_window.h"
 #include "widgets/study/planning/plan_panel.h"
 #include "widgets/study/results/confusion_view.h"
@@ -20,6 +19,7 @@
 #include "widgets/study/session_panel.h"
 #include "widgets/study/study_names.h"
 #include "widgets/study/study_panel.h"
+#include "widgets/study/study_start.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -28,7 +28,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -68,7 +67,7 @@ StudyPage::StudyPage(BraceletService& station, core::StopSwitch& stop, StudyCont
     , m_controller(station, stop, std::move(clock), std::move(utcNow))
     , m_messages(new chrome::MessageBar(this))
     , m_stack(new QStackedWidget(this))
-    , m_empty(new chrome::EmptyState(base::Icon::study, this))
+    , m_empty(new study::StudyStart(this))
     , m_tabs(new QTabWidget(this))
     , m_study(new study::StudyPanel(this))
     , m_session(new study::SessionPanel(this))
@@ -98,15 +97,13 @@ StudyPage::~StudyPage() {
 }
 
 void StudyPage::build() {
-    const auto add = [this](const char* name, auto act) {
-        QPushButton* button = m_empty->addAction({}, {});
-        button->setObjectName(QLatin1String(name));
-        connect(button, &QPushButton::clicked, this, act);
-    };
-    add("watchRehearsal", [this] { watchRehearsal(); });
-    add("newStudyButton", [this] { askForNewStudy(study::Mode::run); });
-    add("openStudyButton", [this] { askForStudy(); });
-    add("serverStudyButton", [this] { askForServer(); });
+    using study::StudyStart;
+    connect(m_empty, &StudyStart::lastRequested, this, &StudyPage::open);
+    connect(m_empty, &StudyStart::rehearsalRequested, this, [this] { watchRehearsal(); });
+    connect(m_empty, &StudyStart::publishedRequested, this, &StudyPage::showPaper);
+    connect(m_empty, &StudyStart::newRequested, this, [this] { askForNewStudy(study::Mode::run); });
+    connect(m_empty, &StudyStart::openRequested, this, &StudyPage::askForStudy);
+    connect(m_empty, &StudyStart::openServerRequested, this, &StudyPage::askForServer);
 
     m_matrix->setObjectName(QStringLiteral("liveMatrix"));
     m_counts->setObjectName(QStringLiteral("counts"));
@@ -359,22 +356,24 @@ void StudyPage::showProtocol(const study::Protocol& protocol) {
     auto* dialog = new ProtocolDialog(protocol, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &ProtocolDialog::openRequested, this, &StudyPage::askForProtocol);
-    connect(dialog, &ProtocolDialog::paperRequested, this, [this] {
-        base::runInBackground(
-            this, [] { return study::paperProtocol(); },
-            [this](const core::Expected<study::Protocol>& paper) {
-                if (paper)
-                    showProtocol(*paper);
-                else
-                    report(tr("The paper's protocol could not be read."), paper.error());
-            });
-    });
+    connect(dialog, &ProtocolDialog::paperRequested, this, &StudyPage::showPaper);
     connect(dialog, &ProtocolDialog::studyRequested, this,
             [this](const study::Protocol& valid) { askForNewStudy(study::Mode::run, valid); });
     // The form stays open if the new study is cancelled.
     connect(&m_controller, &StudyController::opened, dialog,
             [this, dialog] { dialog->leaveTo(m_controller.overview()->head.protocol); });
     dialog->show();
+}
+
+void StudyPage::showPaper() {
+    base::runInBackground(
+        this, [] { return study::paperProtocol(); },
+        [this](const core::Expected<study::Protocol>& paper) {
+            if (paper)
+                showProtocol(*paper);
+            else
+                report(tr("The paper's protocol could not be read."), paper.error());
+        });
 }
 
 void StudyPage::askForProtocol() {
@@ -439,6 +438,9 @@ void StudyPage::doNextStep() {
 }
 
 void StudyPage::refresh() {
+    // What is not shown takes no room.
+    const auto policy = m_controller.overview() ? QSizePolicy::Expanding : QSizePolicy::Ignored;
+    m_tabs->setSizePolicy(policy, policy);
     m_stack->setCurrentWidget(m_controller.overview() ? static_cast<QWidget*>(m_tabs) : m_empty);
     if (!m_controller.overview())
         return;
@@ -561,15 +563,6 @@ void StudyPage::report(const QString& what, const core::Error& error) {
 }
 
 void StudyPage::retranslate() {
-    m_empty->setTexts(tr("No study"),
-                      tr("Run the user study of the paper, or one of your own: from the first practice "
-                         "trial to confusion matrices and ANOVA."));
-    m_empty->setAction("watchRehearsal", tr("Watch a rehearsal"),
-                       tr("Simulated participants go through the whole study"));
-    m_empty->setAction("newStudyButton", tr("New study\u2026"), tr("With the paper's protocol or your own"));
-    m_empty->setAction("openStudyButton", tr("Open a study\u2026"), tr("The folder of a study"));
-    m_empty->setAction("serverStudyButton", tr("Study on a server\u2026"),
-                       tr("A study that several stations share"));
     m_tabs->setTabText(0, tr("Session"));
     m_tabs->setTabText(1, tr("Results"));
     m_tabs->setTabText(2, tr("Plan"));
@@ -583,6 +576,7 @@ void StudyPage::retranslate() {
     for (int i = 1; i < m_speed->count(); ++i)
         m_speed->setItemText(i, tr("%1 times real time, not played").arg(m_speed->itemData(i).toInt()));
     m_speed->setToolTip(tr("Speed of the simulated participants; can be changed between sessions"));
+    setLast(std::exchange(m_last, {}));
     // For the names of answers and tasks.
     m_choicesOf.clear();
     m_outdated = true;

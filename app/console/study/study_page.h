@@ -22,10 +22,6 @@ class QLabel;
 class QStackedWidget;
 class QTabWidget;
 
-namespace teleta::chrome {
-class EmptyState;
-}
-
 namespace teleta::study {
 class ConfusionView;
 class ParticipantWindow;
@@ -33,6 +29,7 @@ class PlanPanel;
 class ResultsView;
 class SessionPanel;
 class StudyPanel;
+class StudyStart;
 } // namespace teleta::study
 
 namespace teleta::console {
@@ -57,6 +54,8 @@ public:
     void watchRehearsal(const QString& folder = {});
     /// The same with the study of a scene.
     void watchScene(const study::StudyScene& scene, std::uint64_t seed, const QString& folder = {});
+    /// The folder of the study that was open last, offered while none is open; empty: there is none.
+    void setLast(const QString& folder);
     /// See StudyLeaving.
     [[nodiscard]] bool isSettled() const { return m_leaving->isSettled(); }
     void whenSettled(std::function<void()> goOn) { m_leaving->whenSettled(std::move(goOn)); }
@@ -90,6 +89,7 @@ private:
     void askForDeletion(int participant);
     void askForServer();
     void showProtocol(const study::Protocol& protocol);
+    void showPaper();
     void askForProtocol();
     void analyse();
     void report(const QString& what, const core::Error& error);
@@ -100,7 +100,7 @@ private:
     NoisePlayer m_noise;
     chrome::MessageBar* m_messages;
     QStackedWidget* m_stack;
-    chrome::EmptyState* m_empty;
+    study::StudyStart* m_empty;
     QTabWidget* m_tabs;
     study::StudyPanel* m_study;
     study::SessionPanel* m_session;
@@ -121,6 +121,7 @@ private:
     QString m_choicesOf;      ///< session whose answers the participant's window shows
     std::size_t m_asked = 0;  ///< QuestionnaireSequence::shown() of the one in the participant's window
     bool m_rehearseWhenOpened = false;
+    QString m_last;         ///< folder of the study that was open last
     QString m_noiseProblem; ///< why the noise could not be played the last time
 };
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/study_page.h"
+#include "widgets/base/background.h"
 #include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/message_log.h"
 #include "widgets/study/session_panel.h"
+#include "widgets/study/study_start.h"
+
+#include <utility>
 
 namespace teleta::console {
 
@@ -27,6 +31,24 @@ void StudyPage::tellWhatWasOpened() {
                           QString(),
                           {{tr("Show it"), show}}});
     }
+}
+
+void StudyPage::setLast(const QString& folder) {
+    if (std::exchange(m_last, folder) == folder || m_controller.overview())
+        return;
+    m_empty->setLast({});
+    if (folder.isEmpty())
+        return;
+    base::runInBackground(
+        this,
+        [folder]() -> core::Expected<StudyOverview> {
+            TELETA_TRY(const auto store, study::StudyStore::openForReading(folder.toStdString()));
+            return overviewOf(store);
+        },
+        [this, folder](const core::Expected<StudyOverview>& found) {
+            if (found && folder == m_last) // one that cannot be read is not offered
+                m_empty->setLast(StudyScenes::study(*found));
+        });
 }
 
 void StudyPage::tellThatNoiseFailed(const core::Error& error) {

@@ -94,9 +94,9 @@ study::PanelScene StudyScenes::study(const StudyController& controller) {
     if (!controller.overview())
         return scene;
     const StudyOverview& overview = *controller.overview();
-    const study::Protocol& protocol = overview.head.protocol;
-    scene.name = text(protocol.name);
-    scene.folder = text(overview.location.folder);
+    const study::Session* last = controller.runner().session();
+    const bool runs = controller.isActive() && (last == nullptr || last->stage() != Stage::aborted);
+    scene = study(overview, runs ? controller.chosen() : std::nullopt);
     if (!overview.location.server.empty()) {
         scene.store = text(overview.store);
         if (const auto& error = controller.storeError()) {
@@ -104,12 +104,19 @@ study::PanelScene StudyScenes::study(const StudyController& controller) {
             scene.storeAway = error->kind == core::ErrorKind::unavailable;
         }
     }
-    scene.mode = overview.head.mode;
-    scene.protocol = protocolText(overview.head);
     scene.chosen = controller.chosen();
     scene.locked = controller.isActive() || controller.isBusy() || controller.isRehearsing();
-    const study::Session* last = controller.runner().session();
-    const bool runs = controller.isActive() && (last == nullptr || last->stage() != Stage::aborted);
+    return scene;
+}
+
+study::PanelScene StudyScenes::study(const StudyOverview& overview,
+                                     const std::optional<std::pair<int, int>>& running) {
+    study::PanelScene scene;
+    const study::Protocol& protocol = overview.head.protocol;
+    scene.name = text(protocol.name);
+    scene.folder = text(overview.location.folder);
+    scene.mode = overview.head.mode;
+    scene.protocol = protocolText(overview.head);
     for (const ParticipantOverview& person : overview.participants) {
         study::ParticipantLine line{text(person.participant.id), {}, {}};
         QStringList order;
@@ -125,8 +132,8 @@ study::PanelScene StudyScenes::study(const StudyController& controller) {
             one.interrupted = session.isInterrupted();
             const std::pair at(static_cast<int>(scene.participants.size()),
                                static_cast<int>(line.sessions.size()));
-            one.state = runs && scene.chosen == at && !one.finished ? tr("running")
-                        : one.finished                              ? tr("\u2713 finished")
+            one.state = running == at && !one.finished ? tr("running")
+                        : one.finished                 ? tr("\u2713 finished")
                         : one.interrupted ? tr("%1 of %2", "trials kept").arg(one.kept).arg(one.planned)
                                           : tr("to do");
             line.sessions.push_back(std::move(one));

@@ -7,6 +7,8 @@
 #include "widgets/study/session_panel.h"
 #include "widgets/study/study_panel.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace teleta::console {
@@ -31,6 +33,9 @@ class StudyScenes {
 
 public:
     [[nodiscard]] static study::PanelScene study(const StudyController& controller);
+    /// Of one that is not open. running: participant and session.
+    [[nodiscard]] static study::PanelScene study(const StudyOverview& overview,
+                                                 const std::optional<std::pair<int, int>>& running = {});
     [[nodiscard]] static study::SessionScene session(const StudyController& controller);
     [[nodiscard]] static study::ParticipantScene participant(const StudyController& controller);
     [[nodiscard]] static study::ConfusionContent matrix(const StudyController& controller);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/new_study_dialog.h"
+#include "app/console/study/forms/protocol_dialog.h"
 #include "tests/app/console/study/study_bench.h"
 
 #include <QApplication>
@@ -55,6 +56,47 @@ class NewStudyTest : public QObject, protected test::StudyBench {
 private slots:
     void init() { setUp(); }
     void cleanup() { tearDown(); }
+
+    void everyWayToBeginIsReachedByTheKeys() {
+        openPage();
+        QVERIFY(QTest::qWaitForWindowActive(m_page.get()));
+        const auto button = [this](const char* name) {
+            return m_page->findChild<QPushButton*>(QLatin1String(name));
+        };
+        QVERIFY2(!button("continueStudyButton")->isVisible(), "there is none to go on with");
+        button("watchRehearsal")->setFocus();
+        for (const char* next :
+             {"publishedProtocolButton", "newStudyButton", "openStudyButton", "serverStudyButton"}) {
+            QTest::keyClick(m_page->focusWidget(), Qt::Key_Tab);
+            QCOMPARE(m_page->focusWidget(), button(next));
+        }
+        button("publishedProtocolButton")->setFocus();
+        QTest::keyClick(button("publishedProtocolButton"), Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<console::ProtocolDialog*>(), kPatience_ms);
+    }
+
+    void theStudyThatWasOpenLastIsOfferedWithHowFarItIs() {
+        openStudy();
+        m_page.reset();
+        openPage();
+        m_page->setLast(studyFolder());
+        auto* goOn = m_page->findChild<QPushButton*>("continueStudyButton");
+        QTRY_VERIFY_WITH_TIMEOUT(goOn->isVisible(), kPatience_ms);
+        QVERIFY(goOn->isDefault());
+        QCOMPARE(goOn->parentWidget()->accessibleName(), QString("Go on with \u201cshort\u201d"));
+        QCOMPARE(goOn->accessibleDescription(), QString("0 of 2 sessions are finished."));
+        QTest::mouseClick(goOn, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(controller().overview().has_value(), kPatience_ms);
+        QCOMPARE(controller().overview()->location.folder, studyFolder().toStdString());
+    }
+
+    void aStudyThatIsGoneIsNotOffered() {
+        openPage();
+        m_page->setLast(studyFolder());
+        QTest::mouseClick(m_page->findChild<QPushButton*>("publishedProtocolButton"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<console::ProtocolDialog*>(), kPatience_ms);
+        QVERIFY(!m_page->findChild<QPushButton*>("continueStudyButton")->isVisible());
+    }
 
     void isOfThePapersProtocolUnlessAnotherIsChosen() {
         askForOne();
