@@ -6,7 +6,6 @@
 #include "widgets/base/theme.h"
 
 #include <QHBoxLayout>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QStringList>
 #include <QUndoStack>
@@ -24,6 +23,15 @@ using equilibration::TaxelGains;
 using equilibration::TaxelState;
 
 constexpr int kProgressSteps = 1000;
+/// Of the room of two pictures: its width over its height.
+constexpr double kWide = 1.6;
+constexpr double kLeastPicture_em = 10.0;
+
+/// Has as much of the height as the other picture, not as much as it would like.
+void share(QWidget* picture) {
+    picture->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    picture->setMinimumHeight(base::em(picture, kLeastPicture_em));
+}
 
 QString percent(double share, int decimals) {
     return base::fixedDigits(100.0 * share, decimals);
@@ -39,18 +47,21 @@ GainsView::GainsView(QWidget* parent)
     : CalibrationView({"undo", "redo", "load", "reset", "save"}, parent) {
     m_progress->setRange(0, kProgressSteps);
     m_progress->setTextVisible(false);
-    m_none->setWordWrap(true);
-    m_none->setAlignment(Qt::AlignCenter);
+    m_uneven->setFont(base::bold(font()));
+    m_uneven->setWordWrap(true);
+    m_uneven->setObjectName(QStringLiteral("unevenness"));
     // Keeps its height without text, so that the map does not move under the mouse.
     m_readout->setFixedHeight(base::em(this, 1.4));
-    auto* picture = new QVBoxLayout;
-    picture->addWidget(m_none, 1);
-    picture->addWidget(m_map, 1);
-    picture->addWidget(m_readout);
+    auto* gains = new QVBoxLayout;
+    share(m_map);
+    gains->addWidget(m_map, 1);
+    gains->addWidget(m_readout);
+    m_pictures->setSpacing(base::grid(this));
+    m_pictures->addLayout(gains, 1);
     auto* body = new QHBoxLayout;
     body->setSpacing(base::grid(this, 2.0));
     body->addWidget(makeSteps(), 2);
-    body->addLayout(picture, 3);
+    body->addLayout(m_pictures, 3);
     page().addLayout(body, 1);
 
     connect(m_map, &GainMap::readoutChanged, m_readout, &QLabel::setText);
@@ -59,13 +70,21 @@ GainsView::GainsView(QWidget* parent)
         connect(button(name), &QPushButton::clicked, this, slot);
     };
     act("reset", [this] { take({}); });
-    act("tare", &GainsView::askToTare);
+    act("tare", &GainsView::tareRequested);
     act("collect", &GainsView::collectRequested);
     act("end", &GainsView::endRequested);
     act("files", &GainsView::pressFilesRequested);
     act("demo", &GainsView::demoRequested);
     base::keepTranslated(this, &GainsView::retranslate);
     base::onChange(this, &GainsView::refresh, {QEvent::PaletteChange});
+}
+
+void GainsView::resizeEvent(QResizeEvent* event) {
+    CalibrationView::resizeEvent(event);
+    // Beside each other where that makes them larger.
+    const QSize room = m_pictures->geometry().size();
+    m_pictures->setDirection(room.width() > kWide * room.height() ? QBoxLayout::LeftToRight
+                                                                  : QBoxLayout::TopToBottom);
 }
 
 QWidget* GainsView::makeSteps() {
@@ -90,6 +109,7 @@ QWidget* GainsView::makeSteps() {
     layout->addWidget(m_pressText);
     add({"collect", "end", "files", "demo"});
     layout->addWidget(m_loadText);
+    layout->addWidget(m_uneven);
     layout->addWidget(m_progress);
     layout->addSpacing(base::grid(this));
     layout->addWidget(verdict());
@@ -97,22 +117,29 @@ QWidget* GainsView::makeSteps() {
     return page;
 }
 
-void GainsView::askToTare() {
-    if (m_facts.loaded == 0) {
-        emit tareRequested();
-        return;
-    }
-    auto* ask = new QMessageBox(QMessageBox::Question, tr("Tare the array"),
-                                tr("%1 of %2 taxels are under load.").arg(m_facts.loaded).arg(m_facts.usable),
-                                QMessageBox::Cancel, this);
-    ask->setObjectName(QStringLiteral("tareUnderLoad"));
-    ask->setInformativeText(tr("What presses on the array during the tare counts as no load afterwards. Tare "
-                               "only if nothing touches the array and the loads shown are drift."));
-    auto* tare = ask->addButton(tr("&Tare under load"), QMessageBox::AcceptRole);
-    ask->setDefaultButton(QMessageBox::Cancel);
-    ask->setAttribute(Qt::WA_DeleteOnClose);
-    connect(tare, &QPushButton::clicked, this, &GainsView::tareRequested);
-    ask->open();
+void GainsView::setLivePicture(QWidget* picture) {
+    share(picture);
+    m_pictures->insertWidget(0, picture, 1);
+}
+
+void GainsView::setUnevenness(const std::optional<equilibration::Unevenness>& unevenness) {
+    const auto inPercent = [](double value) { return std::optional(100.0 * value); };
+    bool changed = m_isUneven != unevenness.has_value();
+    m_isUneven = unevenness.has_value();
+    changed |= m_with.update(unevenness ? inPercent(unevenness->withGains) : std::nullopt);
+    changed |= m_without.update(unevenness ? inPercent(unevenness->without) : std::nullopt);
+    if (changed)
+        showUnevenness();
+}
+
+void GainsView::showUnevenness() {
+    const QString with = m_with.text().trimmed();
+    const QString without = m_without.text().trimmed();
+    m_uneven->setText(
+        !m_isUneven ? QString()
+        : m_calibration.gains
+            ? tr("The taxels differ by %1 % without gains, by %2 % with them.").arg(without, with)
+            : tr("The taxels differ by %1 % under this load.").arg(without));
 }
 
 void GainsView::setFacts(const ArrayFacts& facts) {
@@ -256,6 +283,8 @@ void GainsView::refresh() {
     else if (open && m_facts.usable > 0)
         load = tr("%1 of %2 taxels are under load.");
     m_loadText->setText(load.isEmpty() ? load : load.arg(m_facts.loaded).arg(m_facts.usable));
+    base::setTextColour(
+        m_loadText, m_pressing && m_pressing->waiting ? status.stale : palette().color(QPalette::WindowText));
     m_progress->setVisible(m_pressing.has_value());
     verdict()->setText(m_trouble.isEmpty() ? describeGains() : m_trouble);
     base::setTextColour(verdict(), !m_trouble.isEmpty() ? status.lost
@@ -278,8 +307,10 @@ void GainsView::refresh() {
     button("demo")->setVisible(!open);
     m_map->setGains(m_calibration.gains);
     m_map->setVisible(hasGains);
-    m_none->setVisible(!hasGains);
+    m_readout->setVisible(hasGains);
     m_readout->setText(m_map->readout());
+    m_uneven->setVisible(open);
+    showUnevenness();
 }
 
 void GainsView::retranslate() {
@@ -298,7 +329,6 @@ void GainsView::retranslate() {
          tr("Frames as CSV, one file per press: time_s,t0,t1,\u2026"));
     name("demo", tr("Open the &demo"),
          tr("A simulated plate presses evenly on an array whose taxels differ"));
-    m_none->setText(tr("Every taxel counts as it is. Its gain will be shown here."));
     m_map->setAccessibleName(tr("Gains of the taxels"));
     m_map->setWhatsThis(tr("Red taxels read too low and are raised, blue ones are lowered, hatched ones are "
                            "not used. Point at a taxel, or use the arrow keys, to read its gain."));

@@ -3,11 +3,14 @@
 
 #include "backend/contact/frame_conditioner.h"
 #include "backend/equilibration/taxel_gains.h"
+#include "backend/equilibration/unevenness.h"
 #include "widgets/base/controls/elided_label.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/calibrate/calibration_view.h"
 #include "widgets/calibrate/gain_map.h"
 #include "widgets/calibrate/step_list.h"
 
+#include <QBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QString>
@@ -59,6 +62,10 @@ public:
     explicit GainsView(QWidget* parent = nullptr);
 
     void setFacts(const ArrayFacts& facts);
+    /// Takes a picture of the loads of the array, to be shown before and beside the gains.
+    void setLivePicture(QWidget* picture);
+    /// Of the newest frame; empty while the array is not pressed evenly enough to tell.
+    void setUnevenness(const std::optional<equilibration::Unevenness>& unevenness);
     /// Shows the gains of another array and clears the undo history.
     void setCalibration(const GainCalibration& calibration, bool isSaved = true);
     /// Replaces the present calibration; can be undone.
@@ -82,14 +89,16 @@ signals:
     /// The calibration has changed and takes effect at once.
     void calibrationChanged(const teleta::calibrate::GainCalibration& calibration);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     QWidget* makeSteps();
-    /// Asks first when taxels are under load.
-    void askToTare();
     void apply(const GainCalibration& calibration);
     void undo() override;
     void redo() override;
     void refresh() override;
+    void showUnevenness();
     void retranslate();
     [[nodiscard]] QString describeGains() const;
 
@@ -104,7 +113,11 @@ private:
     QProgressBar* m_progress = new QProgressBar(this);
     GainMap* m_map = new GainMap(this);
     QLabel* m_readout = new base::ElidedLabel(this);
-    QLabel* m_none = new QLabel(this);
+    QLabel* m_uneven = new QLabel(this);
+    QBoxLayout* m_pictures = new QBoxLayout(QBoxLayout::TopToBottom);
+    bool m_isUneven = false; ///< whether that is known
+    base::SteadyNumber m_with;
+    base::SteadyNumber m_without;
 };
 
 } // namespace teleta::calibrate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tactile/channel_settings_panel.h"
 
+#include "widgets/base/compose.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -52,7 +53,7 @@ ChannelSettingsPanel::ChannelSettingsPanel(QWidget* parent)
     , m_parts(new QTabWidget(this))
     , m_loads(new QFormLayout)
     , m_contacts(new QFormLayout)
-    , m_tare(new QPushButton(this))
+    , m_tare(base::named<QPushButton>("tareNow", this))
     , m_clearTare(new QPushButton(this))
     , m_tareState(new QLabel(this))
     , m_gain(makeNumber(this, kSmallest, kLargest, 6))

@@ -102,7 +102,7 @@ void HeatmapPainter::paintHeader() {
     double all = markWidth + valueWidth(pairs.front(), huge) - valueWidth(pairs.front(), bold) - 1.2 * m_em;
     for (const Pair& pair : pairs)
         all += nameWidth(pair) + valueWidth(pair, bold) + 1.2 * m_em;
-    const bool isLarge = all <= rect.width() && QFontMetricsF(huge).ascent() <= rect.height();
+    const bool isLarge = all <= rect.width() && QFontMetricsF(huge).height() <= rect.height();
 
     double x = rect.left();
     QStringList shown;

@@ -3,9 +3,14 @@
 
 #include "backend/core/data/frame_file.h"
 #include "backend/equilibration/taxel_gain_file.h"
+#include "backend/equilibration/unevenness.h"
 #include "widgets/base/background.h"
 #include "widgets/base/file_dialog.h"
+#include "widgets/base/on_change.h"
+#include "widgets/tactile/heatmap_view.h"
+#include "widgets/tactile/tare_question.h"
 
+#include <QAction>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -52,7 +57,18 @@ core::Expected<GainCalibration> withGains(std::vector<Press> presses, const core
 GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
     : QObject(parent)
     , m_sources(sources)
-    , m_view(new GainsView(parent)) {
+    , m_view(new GainsView(parent))
+    , m_live(new tactile::HeatmapView(m_view)) {
+    m_live->setObjectName(QStringLiteral("liveLoads"));
+    using tactile::Overlay;
+    for (const Overlay of :
+         {Overlay::contacts, Overlay::centreOfPressure, Overlay::centreOfContact, Overlay::principalAxis})
+        m_live->overlayAction(of)->setChecked(false);
+    m_live->overlayAction(Overlay::values)->setChecked(true);
+    m_view->setLivePicture(m_live);
+    retranslate();
+    base::onChange(m_view, [this] { retranslate(); }, {QEvent::LanguageChange});
+    connect(m_live, &tactile::HeatmapView::exportFailed, m_view, &GainsView::exportFailed);
     connect(&m_sources, &SourceManager::activeChanged, this, &GainCalibrator::onActiveChanged);
     connect(&m_sources, &SourceManager::itemsChanged, this, &GainCalibrator::onActiveChanged);
     connect(&m_sources, &SourceManager::closed, this,
@@ -63,7 +79,10 @@ GainCalibrator::GainCalibrator(SourceManager& sources, QWidget* parent)
     });
     connect(m_view, &GainsView::tareRequested, this, [this] {
         if (m_channel)
-            m_channel->requestTare();
+            tactile::askToTare(
+                m_view,
+                tactile::loadedTaxels(m_channel->snapshot(), m_channel->settings().features.threshold_N),
+                [channel = m_channel] { channel->requestTare(); });
     });
     connect(m_view, &GainsView::collectRequested, this, &GainCalibrator::collect);
     connect(m_view, &GainsView::endRequested, this, &GainCalibrator::endCollecting);
@@ -132,6 +151,8 @@ void GainCalibrator::tick() {
             endCollecting();
     }
     calibrate::ArrayFacts facts;
+    std::optional<equilibration::Unevenness> unevenness;
+    const pipeline::TouchSnapshot* snapshot = nullptr; // of an array that is seen
     const SourceManager::Item* item = m_sources.find(m_key);
     if (m_channel && item != nullptr) {
         facts.name = item->name;
@@ -140,14 +161,36 @@ void GainCalibrator::tick() {
         if (m_view->isVisible()) {
             const pipeline::ChannelSettings settings = m_channel->settings();
             facts.tared = !settings.conditioning.tare.empty();
-            const pipeline::TouchSnapshot& snapshot = m_channel->snapshot();
-            const auto threshold = static_cast<float>(settings.features.threshold_N);
-            facts.usable = static_cast<std::size_t>(std::ranges::count(snapshot.dead, std::uint8_t{0}));
-            facts.loaded = static_cast<std::size_t>(std::ranges::count_if(
-                snapshot.load_N, [threshold](float load) { return load >= threshold; }));
+            snapshot = &m_channel->snapshot();
+            const double threshold_N = settings.features.threshold_N;
+            const tactile::LoadedTaxels taxels = tactile::loadedTaxels(*snapshot, threshold_N);
+            facts.usable = taxels.usable;
+            facts.loaded = taxels.loaded;
+            if (2 * taxels.loaded > taxels.usable) // as for a press
+                unevenness =
+                    equilibration::unevenness(snapshot->load_N, settings.conditioning.taxelGain, threshold_N);
         }
     }
     m_view->setFacts(facts);
+    m_view->setUnevenness(unevenness);
+    m_live->setProvenance(facts.simulated  ? base::Provenance::simulated
+                          : facts.recorded ? base::Provenance::recorded
+                                           : base::Provenance::live);
+    showFrame(snapshot);
+}
+
+void GainCalibrator::showFrame(const pipeline::TouchSnapshot* snapshot) {
+    const std::pair shown(m_key, snapshot != nullptr ? snapshot->framesProcessed : 0);
+    if (std::exchange(m_shown, shown) == shown)
+        return;
+    if (snapshot != nullptr)
+        m_live->setSnapshot(*snapshot);
+    else
+        m_live->clear();
+}
+
+void GainCalibrator::retranslate() {
+    m_live->setEmptyText(tr("The loads of the array will be shown here."));
 }
 
 void GainCalibrator::collect() {

@@ -13,6 +13,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
+
+namespace teleta::tactile {
+class HeatmapView;
+}
 
 namespace teleta::console {
 
@@ -58,6 +64,8 @@ private:
     };
 
     void onActiveChanged();
+    void retranslate();
+    void showFrame(const pipeline::TouchSnapshot* snapshot);
     void endCollecting();
     /// Computes a calibration on a pool thread; the view shows it if the array is still the same.
     void find(std::function<Found()> work);
@@ -68,6 +76,8 @@ private:
     std::shared_ptr<pipeline::TouchChannel> m_channel; ///< of the array shown; null: none
     std::map<pipeline::ChannelKey, Left> m_left;
     std::unique_ptr<PressCollector> m_collector;
+    tactile::HeatmapView* m_live;
+    std::pair<pipeline::ChannelKey, std::uint64_t> m_shown; ///< the frame in it
     std::uint64_t m_round = 0; ///< counts changes of the array, to detect late results
 };
 

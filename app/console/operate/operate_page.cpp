@@ -16,6 +16,7 @@
 #include "widgets/servo/servo_panel.h"
 #include "widgets/tactile/channel_settings_panel.h"
 #include "widgets/tactile/heatmap_view.h"
+#include "widgets/tactile/tare_question.h"
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QHBoxLayout>
@@ -144,7 +145,9 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
             });
     connect(m_settings, &tactile::ChannelSettingsPanel::tareRequested, this, [this] {
         if (const auto array = shownArray())
-            array->requestTare();
+            tactile::askToTare(
+                this, tactile::loadedTaxels(array->snapshot(), array->settings().features.threshold_N),
+                [array] { array->requestTare(); });
     });
     connect(m_settings, &tactile::ChannelSettingsPanel::clearTareRequested, this, [this] {
         if (const auto array = shownArray())

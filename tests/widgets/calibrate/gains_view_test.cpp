@@ -6,7 +6,7 @@
 #include "widgets/calibrate/gains_view.h"
 
 #include <QApplication>
-#include <QMessageBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -87,23 +87,31 @@ private slots:
         QCOMPARE(desk.view.step(), StepReading{.state = StepState::done});
     }
 
-    void aTareUnderLoadIsAskedAbout() {
+    void thePictureOfTheLoadsIsSeenBeforeAndBesideTheGains() {
         GainsDesk desk;
-        desk.view.setFacts({.name = QStringLiteral("Array"), .tared = true, .usable = 6, .loaded = 5});
-        QSignalSpy tares(&desk.view, &GainsView::tareRequested);
-        const auto question = [&] { return desk.view.findChild<QMessageBox*>("tareUnderLoad"); };
-        QTest::mouseClick(test::part(desk.view, "tare"), Qt::LeftButton);
-        QVERIFY(question() != nullptr);
-        QCOMPARE(question()->text(), QString("5 of 6 taxels are under load."));
-        QTest::keyClick(question(), Qt::Key_Return);
-        QTRY_VERIFY(question() == nullptr);
-        QCOMPARE(tares.size(), 0);
-        QTest::mouseClick(test::part(desk.view, "tare"), Qt::LeftButton);
-        for (QAbstractButton* button : question()->buttons())
-            if (question()->buttonRole(button) == QMessageBox::AcceptRole)
-                QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_VERIFY(question() == nullptr);
-        QCOMPARE(tares.size(), 1);
+        auto* loads = new QLabel(&desk.view);
+        desk.view.setLivePicture(loads);
+        QTRY_VERIFY(loads->width() > desk.view.width() / 2 && loads->height() > desk.view.height() / 2);
+        QVERIFY(!desk.map->isVisible());
+        desk.view.take(onePress());
+        QVERIFY(loads->isVisible());
+        QTRY_VERIFY(desk.map->isVisible() && desk.map->y() > loads->geometry().bottom());
+        desk.view.resize(1600, 500);
+        QTRY_VERIFY2(desk.map->x() > loads->geometry().right(), "side by side where that is larger");
+    }
+
+    void theDifferenceOfTheTaxelsIsToldWithoutAndWithGains() {
+        GainsDesk desk;
+        QCOMPARE(test::textOf(desk.view, "unevenness"), QString());
+        desk.view.setUnevenness(equilibration::Unevenness{.withGains = 0.447, .without = 0.447});
+        QCOMPARE(test::textOf(desk.view, "unevenness"),
+                 QStringLiteral("The taxels differ by 44.7 % under this load."));
+        desk.view.take(onePress());
+        desk.view.setUnevenness(equilibration::Unevenness{.withGains = 0.0312, .without = 0.447});
+        QCOMPARE(test::textOf(desk.view, "unevenness"),
+                 QStringLiteral("The taxels differ by 44.7 % without gains, by 3.12 % with them."));
+        desk.view.setUnevenness(std::nullopt);
+        QCOMPARE(test::textOf(desk.view, "unevenness"), QString());
     }
 
     void aPressThatWaitsSaysWhyAndLetsTheArrayBeTared() {
@@ -250,7 +258,7 @@ private slots:
         QCOMPARE(map->accessibleDescription(), map->readout());
         QTest::keyClick(map, Qt::Key_Escape);
         QVERIFY(map->readout().isEmpty());
-        QTRY_VERIFY(map->y() < desk.view.height() / 4); // it has taken the room of the words before
+        QTRY_VERIFY(map->y() < desk.view.height() / 4); // it has taken the room
         test::hover(map, map->taxelRect(4).center().toPoint());
         QVERIFY2(map->readout().startsWith(QLatin1String("Taxel 4")), qPrintable(map->readout()));
     }

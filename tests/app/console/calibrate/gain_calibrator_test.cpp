@@ -5,8 +5,10 @@
 #include "tests/widgets/parts.h"
 #include "widgets/base/theme.h"
 #include "widgets/calibrate/gains_view.h"
+#include "widgets/tactile/heatmap_view.h"
 
 #include <QFile>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 using namespace teleta;
 using console::GainCalibrator;
@@ -118,6 +121,9 @@ private slots:
         QTest::mouseClick(test::part(view(), "collect"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(view().calibration().gains != nullptr, 30'000);
         QVERIFY2(gainsAreRight(), qPrintable(test::textOf(view(), "verdict")));
+        // The responses 1, 2, 3, 2, 1, 3 differ by the root of 0.8 over 2.
+        QTRY_VERIFY_WITH_TIMEOUT(
+            test::textOf(view(), "unevenness").contains(QLatin1String("44.7 % without gains")), 30'000);
         // 5 s of frames that are 20 ms apart, and one more each time that the recording begins again.
         const std::size_t frames = view().calibration().gains->frames;
         QVERIFY2(frames >= 251 && frames <= 253, qPrintable(QString::number(frames)));
@@ -126,6 +132,34 @@ private slots:
         QTRY_VERIFY(channel()->settings().conditioning.taxelGain.empty());
         QTest::mouseClick(test::part(view(), "redo"), Qt::LeftButton);
         QTRY_COMPARE(channel()->settings().conditioning.taxelGain.size(), kLayout.taxels());
+    }
+
+    void theArrayIsSeenBeforeAnythingIsDone() {
+        openRecording();
+        auto* loads = test::part<tactile::HeatmapView>(view(), "liveLoads");
+        QTRY_VERIFY_WITH_TIMEOUT(!loads->headerText().isEmpty(), 30'000);
+        QTRY_COMPARE_WITH_TIMEOUT(test::textOf(view(), "unevenness"),
+                                  QStringLiteral("The taxels differ by 44.7 % under this load."), 30'000);
+    }
+
+    void aTareUnderLoadIsAskedAbout() {
+        openRecording();
+        QTRY_VERIFY_WITH_TIMEOUT(!test::textOf(view(), "unevenness").isEmpty(), 30'000);
+        const auto question = [this] { return view().findChild<QMessageBox*>("tareUnderLoad"); };
+        const std::vector<float> before = channel()->settings().conditioning.tare;
+        m_clock.stop(); // the plate stays on
+        QTest::mouseClick(test::part(view(), "tare"), Qt::LeftButton);
+        QVERIFY(question() != nullptr);
+        QCOMPARE(question()->text(), QString("6 of 6 taxels are under load."));
+        QTest::keyClick(question(), Qt::Key_Return);
+        QTRY_VERIFY(question() == nullptr);
+        QCOMPARE(channel()->settings().conditioning.tare, before);
+        QTest::mouseClick(test::part(view(), "tare"), Qt::LeftButton);
+        for (QAbstractButton* button : question()->buttons())
+            if (question()->buttonRole(button) == QMessageBox::AcceptRole)
+                QTest::mouseClick(button, Qt::LeftButton);
+        m_clock.start(5);
+        QTRY_VERIFY_WITH_TIMEOUT(channel()->settings().conditioning.tare != before, 30'000);
     }
 
     void aPressCanBeEndedEarlyAndIsRefusedWhenItIsTooShort() {
