@@ -32,6 +32,9 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace teleta::console {
 
@@ -77,7 +80,15 @@ public:
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
                                  const QModelIndex& index) const override {
-        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, 2 * m_gap);
+        const bool isHeading = !index.flags().testFlag(Qt::ItemIsEnabled);
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, (isHeading ? 4 : 2) * m_gap);
+    }
+
+protected:
+    /// A heading cannot be chosen, and is as dark as what can.
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->state |= QStyle::State_Enabled;
     }
 
 private:
@@ -172,7 +183,7 @@ CostPage::CostPage(const CostMeasuring::MakeLadders& makeLadders, const QString&
                        retranslate();
                    },
                    {QEvent::LanguageChange});
-    m_list->setCurrentRow(0);
+    m_list->setCurrentRow(m_list->item(0)->flags().testFlag(Qt::ItemIsEnabled) ? 0 : 1);
     showRunning();
     tick(nullptr);
 }
@@ -192,9 +203,25 @@ QWidget* CostPage::makeLadderColumn() {
     m_progress->setRange(0, 1000);
     m_progress->setTextVisible(false);
     m_progressText = wrapped(column);
-    for (const cost::Ladder& ladder : m_measuring->ladders()) {
-        auto* item = new QListWidgetItem(m_list);
-        item->setData(Qt::UserRole, QString::fromStdString(ladder.name));
+    // Those of a topic below its heading, in the order in which each topic is first met.
+    std::vector<std::string> names;
+    for (const cost::Ladder& ladder : m_measuring->ladders())
+        names.push_back(ladder.name);
+    while (!names.empty()) {
+        const QString topic = CostWords::topic(names.front());
+        if (!topic.isEmpty()) {
+            auto* head = new QListWidgetItem(m_list);
+            head->setFlags(Qt::NoItemFlags);
+            head->setFont(base::bold(m_list->font()));
+            head->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        }
+        std::erase_if(names, [&](const std::string& name) {
+            if (CostWords::topic(name) != topic)
+                return false;
+            auto* item = new QListWidgetItem(m_list);
+            item->setData(Qt::UserRole, QString::fromStdString(name));
+            return true;
+        });
     }
     // Cancel keeps its place, so that a click that is meant for it never starts a measurement; the list gives
     // the room that the progress takes.
@@ -296,17 +323,32 @@ QString CostPage::cameraJob() const {
 }
 
 void CostPage::showLadders() {
+    QListWidgetItem* head = nullptr;
     for (int row = 0; row < m_list->count(); ++row) {
-        const cost::Ladder& ladder = m_measuring->ladders()[static_cast<std::size_t>(row)];
-        m_list->item(row)->setText(QString::fromStdString(ladder.title) + QLatin1Char('\n') +
-                                   timesOf(m_measuring->costOf(ladder.name)));
-        m_list->item(row)->setToolTip(tr("On the command line: %1").arg(QString::fromStdString(ladder.name)));
+        QListWidgetItem* item = m_list->item(row);
+        const std::string name = item->data(Qt::UserRole).toString().toStdString();
+        if (name.empty()) {
+            head = item;
+            continue;
+        }
+        const auto ladder = std::ranges::find(m_measuring->ladders(), name, &cost::Ladder::name);
+        if (ladder == m_measuring->ladders().end())
+            continue;
+        if (head != nullptr)
+            std::exchange(head, nullptr)->setText(CostWords::topic(name));
+        const QString title = QString::fromStdString(ladder->title);
+        const QString times = timesOf(m_measuring->costOf(name));
+        item->setText(times.isEmpty() ? title : title + QLatin1Char('\n') + times);
+        const QString known = times.isEmpty() ? tr("not measured") : times;
+        item->setData(Qt::AccessibleDescriptionRole, known);
+        item->setToolTip(known + QLatin1Char('\n') +
+                         tr("On the command line: %1").arg(QString::fromStdString(name)));
     }
 }
 
 QString CostPage::timesOf(const cost::LadderCost* costs) {
     if (costs == nullptr || costs->rungs.empty())
-        return tr("not measured");
+        return {};
     const auto [least, most] = std::ranges::minmax(costs->rungs, {}, &cost::RungCost::timeMedian_s);
     return tr("%1 to %2", "times")
         .arg(CostWords::quantity(least.timeMedian_s, QStringLiteral("s")),

@@ -12,6 +12,9 @@ namespace teleta::console {
 class CostWords {
     Q_DECLARE_TR_FUNCTIONS(CostWords)
 public:
+    /// Heading under which a job is listed; empty for one that no heading fits.
+    [[nodiscard]] static QString topic(const std::string& ladder);
+
     /// A measured value with its unit; "1" is a share and shown in percent.
     [[nodiscard]] static QString quantity(double value, const QString& unit);
 

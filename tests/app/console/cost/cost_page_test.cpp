@@ -204,17 +204,39 @@ private slots:
         }
     }
 
+    void jobsOfOneTopicStandBelowItsHeadingAndTheKeysPassItOver() {
+        open({quickLadder("contact-flow"), quickLadder("stiffness"), quickLadder("undistortion"),
+              quickLadder("of-another-program")});
+        auto& list = part<QListWidget>("ladders");
+        QStringList rows;
+        for (int row = 0; row < list.count(); ++row)
+            rows << (list.item(row)->flags().testFlag(Qt::ItemIsEnabled)
+                         ? list.item(row)->data(Qt::UserRole).toString()
+                         : list.item(row)->text());
+        QCOMPARE(rows, (QStringList{"Camera", "contact-flow", "undistortion", "Touched object", "stiffness",
+                                    "of-another-program"}));
+        QCOMPARE(list.currentRow(), 1);
+        list.setFocus();
+        for (const int row : {2, 4, 5}) {
+            QTest::keyClick(&list, Qt::Key_Down);
+            QCOMPARE(list.currentRow(), row);
+        }
+    }
+
     void measuresTheLadderThatIsShownAndKeepsItForTheNextStart() {
         open({quickLadder("first"), quickLadder("second")});
-        QVERIFY(part<QListWidget>("ladders").item(0)->text().contains(QLatin1String("not measured")));
+        const auto job = [this](int row) { return part<QListWidget>("ladders").item(row); };
+        const auto isMeasured = [&](int row) { return job(row)->text().contains(QLatin1Char('\n')); };
+        QVERIFY(!isMeasured(0));
+        QVERIFY(job(0)->toolTip().contains(QLatin1String("not measured")));
         QVERIFY(!part<QTableWidget>("rungs").isVisible());
         QVERIFY2(!part<QPushButton>("measure").isVisible(), "one button measures");
         QTest::mouseClick(&part<QPushButton>("measureEmpty"), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(part<QTableWidget>("rungs").rowCount(), 3, kPatience_ms);
         QVERIFY(part<QTableWidget>("rungs").isVisible());
         QVERIFY(part<QPushButton>("measure").isVisible());
-        QVERIFY(!part<QListWidget>("ladders").item(0)->text().contains(QLatin1String("not measured")));
-        QVERIFY(part<QListWidget>("ladders").item(1)->text().contains(QLatin1String("not measured")));
+        QVERIFY(isMeasured(0));
+        QVERIFY(!isMeasured(1));
         QVERIFY(part<QTableWidget>("rungs").item(2, 2)->text().contains(QStringLiteral("1.00")));
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file()), kPatience_ms);
 
