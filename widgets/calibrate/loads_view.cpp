@@ -2,6 +2,7 @@
 #include "widgets/calibrate/loads_view.h"
 
 #include "widgets/base/compose.h"
+#include "widgets/base/controls/picture_card.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 
@@ -10,12 +11,14 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
+#include <array>
 #include <initializer_list>
 #include <utility>
 
@@ -30,6 +33,36 @@ QString number(double value) {
     return QLocale().toString(value, 'g', kDigits);
 }
 
+constexpr QSizeF kPicture_em(24.0, 11.0);
+
+/// What is done here: known loads over a signal, and the line through them.
+void paintPresses(QPainter& painter, const QRectF& rect, const QPalette& palette) {
+    const base::ControlColours colours = base::controlColours(palette, true);
+    const QFont small = base::sized(painter.font(), base::kSmallText);
+    const double line = QFontMetricsF(small).height();
+    const QRectF axes = rect.adjusted(3.0 * line, 1.5 * line, -2.0 * line, -2.2 * line);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(small);
+    painter.setPen(palette.color(QPalette::PlaceholderText));
+    painter.drawText(QRectF(axes.left(), axes.bottom() + 0.4 * line, axes.width(), line), Qt::AlignCenter,
+                     LoadsView::tr("signal"));
+    painter.drawText(QRectF(rect.left(), axes.top(), axes.left() - rect.left() - 0.5 * line, line),
+                     Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("N"));
+    painter.setPen(QPen(palette.color(QPalette::PlaceholderText), 1.5));
+    painter.drawPolyline(QPolygonF{axes.topLeft(), axes.bottomLeft(), axes.bottomRight()});
+    const auto at = [&axes](double signal, double load) {
+        return QPointF(axes.left() + signal * axes.width(), axes.bottom() - load * axes.height());
+    };
+    painter.setPen(QPen(colours.accent, 2.0));
+    painter.drawLine(at(0.0, 0.02), at(0.96, 0.94));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette.color(QPalette::Text));
+    constexpr std::array<std::pair<double, double>, 7> kPresses{
+        {{0.06, 0.1}, {0.2, 0.19}, {0.33, 0.36}, {0.48, 0.46}, {0.6, 0.63}, {0.75, 0.72}, {0.88, 0.88}}};
+    for (const auto& [signal, load] : kPresses)
+        painter.drawEllipse(at(signal, load), 3.0, 3.0);
+}
+
 } // namespace
 
 LoadsView::LoadsView(QWidget* parent)
@@ -38,10 +71,13 @@ LoadsView::LoadsView(QWidget* parent)
     , m_chooseText(new QLabel(this))
     , m_columns(base::named<QListWidget>("columns", this))
     , m_result(base::named<QTableWidget>("loads", this))
-    , m_none(new QLabel(this)) {
-    for (QLabel* text : {m_openText, m_chooseText, m_none})
+    , m_none(new base::PictureCard(this)) {
+    for (QLabel* text : {m_openText, m_chooseText})
         text->setWordWrap(true);
-    m_none->setAlignment(Qt::AlignCenter);
+    m_none->setPicture(paintPresses);
+    m_none->setPictureHeight(base::em(this, kPicture_em.height()));
+    m_none->setMaximumWidth(base::em(this, kPicture_em.width()));
+    m_none->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
     m_result->setColumnCount(resultColumns);
     m_result->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_result->verticalHeader()->hide();
@@ -64,7 +100,9 @@ LoadsView::LoadsView(QWidget* parent)
     add("fit");
     steps->addWidget(verdict());
     auto* picture = new QVBoxLayout;
-    picture->addWidget(m_none, 1);
+    auto* middle = new QHBoxLayout;
+    middle->addWidget(m_none);
+    picture->addLayout(middle, 1);
     picture->addWidget(m_result, 1);
     auto* body = new QHBoxLayout;
     body->setSpacing(base::grid(this, 2.0));
@@ -228,7 +266,8 @@ void LoadsView::retranslate() {
     m_result->setHorizontalHeaderLabels({tr("Load"), tr("Signal"), tr("Gain", "N per unit of a signal"),
                                          tr("Standard error"), tr("Presses from", "a signal"),
                                          tr("to", "a signal")});
-    m_none->setText(tr("The newtons for one unit of each signal will be shown here."));
+    m_none->setTexts(tr("No calibration yet"),
+                     tr("The newtons for one unit of each signal will be shown here."));
     setAccessibleName(tr("Calibration of a sensor to newtons"));
     refresh();
 }

@@ -14,6 +14,10 @@ class QLabel;
 class QListWidget;
 class QTableWidget;
 
+namespace teleta::base {
+class PictureCard;
+}
+
 namespace teleta::calibrate {
 
 /// A table of presses with a known load.
@@ -69,7 +73,7 @@ private:
     QLabel* m_chooseText;
     QListWidget* m_columns;
     QTableWidget* m_result;
-    QLabel* m_none;
+    base::PictureCard* m_none;
 };
 
 } // namespace teleta::calibrate
