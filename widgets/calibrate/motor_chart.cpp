@@ -65,7 +65,7 @@ QCPGraph* addGraph(QCustomPlot* plot, const QPen& pen, const QString& name) {
 } // namespace
 
 MotorChart::MotorChart(QWidget* parent)
-    : SizedView(parent, {60, 18}, {14, 9})
+    : SizedView(parent, {60, 18}, {10, 9})
     , m_layout(new QBoxLayout(QBoxLayout::LeftToRight, this))
     , m_curve(new QCustomPlot(this))
     , m_recording(new QCustomPlot(this)) {
@@ -211,7 +211,8 @@ void MotorChart::drawCurve() {
                                          .arg(base::fixedDigits(100.0 * m_evidence->fit.explained, 2))
                                          .arg(base::fixedDigits(m_evidence->fit.residual_Hz, 2));
     text->setText(wrapped(*m_curve, words));
-    text->setVisible(m_curve->height() >= base::em(this, kLowChart_em)); // else it would hide the curve
+    const bool isHalf = m_layout->direction() == QBoxLayout::TopToBottom;
+    text->setVisible(height() / (isHalf ? 2 : 1) >= base::em(this, kLowChart_em)); // else it hides the curve
     m_curve->xAxis->setRange(0.0, 102.0);
     m_curve->yAxis->setRange(0.0, 1.25 * highest_Hz);
     m_curve->replot(QCustomPlot::rpQueuedReplot);

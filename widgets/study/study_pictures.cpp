@@ -134,12 +134,14 @@ void paintPublishedMatrix(QPainter& painter, const QRectF& rect, const QPalette&
     square.moveLeft(rect.left() + 0.08 * rect.height());
     paintCells(painter, square, *matrix, palette);
     const QFont small = base::sized(painter.font(), base::kSmallText);
-    const QFont huge = base::bold(base::sized(painter.font(), base::kHugeText));
     const QRectF words(square.right() + 0.08 * rect.height(), rect.top(),
                        rect.right() - square.right() - 0.1 * rect.height(), rect.height());
     const QString share =
         PictureText::tr("%1 %").arg(base::fixedDigits(100.0 * matrix->accuracy().value_or(0.0), 0));
     const QString what = PictureText::tr("right answers to dynamic shapes");
+    QFont huge = base::bold(base::sized(painter.font(), base::kHugeText));
+    if (QFontMetricsF(huge).horizontalAdvance(share) > words.width())
+        huge = base::bold(base::sized(painter.font(), base::kLargeText));
     const QFontMetricsF metrics(small);
     const double below =
         metrics.boundingRect(QRectF(0.0, 0.0, words.width(), rect.height()), Qt::TextWordWrap, what).height();
@@ -189,7 +191,8 @@ void paintProgress(QPainter& painter, const QRectF& rect, const QPalette& palett
                    const std::vector<ParticipantLine>& participants) {
     const QFont small = base::sized(painter.font(), base::kSmallText);
     const QFontMetricsF metrics(small);
-    const double line = 1.5 * metrics.height();
+    const double line = std::clamp(rect.height() / (static_cast<double>(participants.size()) + 1.0),
+                                   1.5 * metrics.height(), 3.0 * metrics.height());
     const double margin = 0.5 * metrics.height();
     const auto rows = std::min(participants.size(),
                                static_cast<std::size_t>(std::max(1.0, (rect.height() - margin) / line)));
@@ -208,9 +211,8 @@ void paintProgress(QPainter& painter, const QRectF& rect, const QPalette& palett
         painter.drawText(QRectF(rect.left() + margin, y, names, line), Qt::AlignRight | Qt::AlignVCenter,
                          metrics.elidedText(person.id, Qt::ElideRight, names));
         const double left = rect.left() + 2.0 * margin + names;
-        const double box = std::min((rect.right() - margin - left) /
-                                        static_cast<double>(std::max<std::size_t>(1, person.sessions.size())),
-                                    3.0 * line);
+        const double box = (rect.right() - margin - left) /
+                           static_cast<double>(std::max<std::size_t>(1, person.sessions.size()));
         for (std::size_t s = 0; s < person.sessions.size(); ++s) {
             const SessionLine& session = person.sessions[s];
             const QRectF all(left + static_cast<double>(s) * box, y + 0.2 * line, box - 3.0, 0.6 * line);
