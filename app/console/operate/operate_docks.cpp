@@ -486,6 +486,9 @@ void OperateDocks::retranslate() {
         name(*m_docks[i], "qt_dockwidget_closebutton", "Close", "Closes the dock widget");
         name(*m_docks[i], "qt_dockwidget_floatbutton", "Float", "Undocks and re-attaches the dock widget");
     }
+    // The words of another language may need more lines.
+    if (isVisible() && m_alone.isEmpty() && m_default[index()])
+        QMetaObject::invokeMethod(this, &OperateDocks::bringSizes, Qt::QueuedConnection);
 }
 
 } // namespace teleta::console

@@ -292,16 +292,22 @@ private slots:
         options.scenes = {QStringLiteral(":/scenes/tactile-two-contacts.toml")};
         openWindow(options);
         QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
-        m_window->findChild<QDockWidget*>("charts")->close();
+        const auto closed = {m_window->findChild<QDockWidget*>("charts"),
+                             m_window->findChild<QDockWidget*>("marks")};
+        for (QDockWidget* each : closed)
+            each->close();
         settle();
         const QSize heatmap = dock("heatmap").size();
         m_window->resize(kScaledTwice);
-        const auto isStacked = [this] { return dock("heatmap").height() > dock("heatmap").width() / 2; };
-        QTRY_VERIFY(dock("heatmap").isVisible() && isStacked());
-        QVERIFY(m_window->findChild<QDockWidget*>("charts")->isHidden());
+        auto& docks = m_window->operatePage().docks();
+        auto* picture = m_window->findChild<QDockWidget*>("heatmap");
+        auto* behind = m_window->findChild<QDockWidget*>("reconstruction");
+        QTRY_VERIFY(docks.tabifiedDockWidgets(picture).contains(behind));
+        QVERIFY(std::ranges::all_of(closed, &QDockWidget::isHidden));
         m_window->resize(kUsualSize);
-        QTRY_COMPARE(dock("heatmap").size(), heatmap);
-        QVERIFY(m_window->findChild<QDockWidget*>("charts")->isHidden());
+        QTRY_VERIFY(docks.tabifiedDockWidgets(picture).isEmpty());
+        QTRY_COMPARE(picture->size(), heatmap);
+        QVERIFY(std::ranges::all_of(closed, &QDockWidget::isHidden));
         QVERIFY(dock("reconstruction").isVisible());
     }
 

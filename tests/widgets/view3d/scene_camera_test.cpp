@@ -43,7 +43,7 @@ TEST(SceneCamera, aSubjectFillsThePictureInsteadOfAll) {
     SceneCamera camera(renderer);
     camera.setScene(stick(0.5), true);
     const double all_m = camera.visibleHeight_m();
-    const Eigen::AlignedBox3d handBox({0.1, 0.1, 0.4}, {0.2, 0.2, 0.5});
+    const Eigen::AlignedBox3d handBox(Eigen::Vector3d(0.1, 0.1, 0.4), Eigen::Vector3d(0.2, 0.2, 0.5));
     const Corners hand = cornersOf(handBox);
     camera.setSubject(handBox);
     const double near_m = camera.visibleHeight_m();
@@ -51,7 +51,7 @@ TEST(SceneCamera, aSubjectFillsThePictureInsteadOfAll) {
     EXPECT_GT(farthest(renderer, hand), 0.6);
     EXPECT_LT(farthest(renderer, hand), 0.9);
     // It stays in the picture as it moves, and so does the rest behind it.
-    const Eigen::AlignedBox3d movedBox({0.1, 0.1, 0.6}, {0.2, 0.2, 0.7});
+    const Eigen::AlignedBox3d movedBox(Eigen::Vector3d(0.1, 0.1, 0.6), Eigen::Vector3d(0.2, 0.2, 0.7));
     const Corners moved = cornersOf(movedBox);
     camera.setSubject(movedBox);
     EXPECT_LE(farthest(renderer, moved), 0.98);
