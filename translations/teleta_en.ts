@@ -569,6 +569,13 @@
             <numerusform>%1 is damaged: %n parts could not be read and are gaps.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n signal(s) outside the view: Show everything (Home)</source>
+        <translation>
+            <numerusform>%n signal outside the view: Show everything (Home)</numerusform>
+            <numerusform>%n signals outside the view: Show everything (Home)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::ProtocolDialog</name>

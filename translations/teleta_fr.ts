@@ -3358,6 +3358,26 @@ Exemples&#xa0;:
         <source>No setting is more accurate.</source>
         <translation>Aucun réglage n’est plus exact.</translation>
     </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Tactile array</source>
+        <translation>Matrice tactile</translation>
+    </message>
+    <message>
+        <source>Touched object</source>
+        <translation>Objet touché</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
 </context>
 <context>
     <name>CsvReaderText</name>
@@ -4688,6 +4708,113 @@ Exemples&#xa0;:
     </message>
 </context>
 <context>
+    <name>FinderNames</name>
+    <message>
+        <source>As published</source>
+        <translation>Comme publié</translation>
+    </message>
+    <message>
+        <source>Printed dots</source>
+        <translation>Points imprimés</translation>
+    </message>
+    <message>
+        <source>Coarse flow</source>
+        <translation>Flot grossier</translation>
+    </message>
+    <message>
+        <source>Quick flow</source>
+        <translation>Flot rapide</translation>
+    </message>
+    <message>
+        <source>Fine flow</source>
+        <translation>Flot fin</translation>
+    </message>
+    <message>
+        <source>%1, changed parts</source>
+        <comment>a finder that looks only at those</comment>
+        <translation>%1, parties changées</translation>
+    </message>
+    <message>
+        <source>%1, from the last picture</source>
+        <comment>a finder that starts there</comment>
+        <translation>%1, depuis l’image précédente</translation>
+    </message>
+    <message>
+        <source>%1, 1 : %2</source>
+        <comment>a finder and how many times its picture is smaller</comment>
+        <translation>%1, 1 : %2</translation>
+    </message>
+    <message>
+        <source>%1, whole picture</source>
+        <comment>a finder</comment>
+        <translation>%1, image entière</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture&apos;s points</source>
+        <translation>%1 % des points de l’image</translation>
+    </message>
+    <message>
+        <source>fine; %1, mean of those that moved</source>
+        <translation>fin ; %1, moyenne de ceux qui ont bougé</translation>
+    </message>
+    <message>
+        <source>follows each dot alone; the default</source>
+        <translation>suit seulement chaque point ; par défaut</translation>
+    </message>
+    <message>
+        <source>quickest and coarsest; %1</source>
+        <translation>le plus rapide et le plus grossier ; %1</translation>
+    </message>
+    <message>
+        <source>quick; %1, where they differ from the reference</source>
+        <translation>rapide ; %1, là où ils diffèrent de la référence</translation>
+    </message>
+    <message>
+        <source>quick; %1</source>
+        <translation>rapide ; %1</translation>
+    </message>
+    <message>
+        <source>slowest and finest; %1</source>
+        <translation>le plus lent et le plus fin ; %1</translation>
+    </message>
+    <message>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
+        <translation>Comme dans les travaux publiés : flot dense dans une image de 512 × 288, et moyenne de ce qui s’y est déplacé</translation>
+    </message>
+    <message>
+        <source>Each printed dot is followed in the whole picture. The default.</source>
+        <translation>Chaque point imprimé est suivi dans l’image entière. Choix par défaut.</translation>
+    </message>
+    <message>
+        <source>the quickest and coarsest</source>
+        <translation>le plus rapide et le plus grossier</translation>
+    </message>
+    <message>
+        <source>a quick one</source>
+        <translation>un préréglage rapide</translation>
+    </message>
+    <message>
+        <source>the slowest and finest</source>
+        <translation>le plus lent et le plus fin</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
+        <translation>Flot dense selon un préréglage d’OpenCV (%1), dans une image %2 fois plus petite</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
+        <translation>Flot dense selon un préréglage d’OpenCV (%1), dans l’image entière</translation>
+    </message>
+    <message>
+        <source>Only where the picture differs from the reference</source>
+        <translation>Seulement autour de ce qui diffère de la référence</translation>
+    </message>
+    <message>
+        <source>Starts from the flow of the previous picture</source>
+        <translation>À partir du flot de l’image précédente</translation>
+    </message>
+</context>
+<context>
     <name>ForeignDatabase</name>
     <message>
         <source>SQLite cannot be made defensive</source>
@@ -5131,6 +5258,18 @@ Exemples&#xa0;:
     <message>
         <source>cannot tell</source>
         <translation>indéterminé</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>stale, %1 ago</source>
+        <translation>périmé, il y a %1</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>il y a %1</translation>
     </message>
 </context>
 <context>
@@ -13580,6 +13719,29 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>StudyPictures</name>
+    <message>
+        <source>feel</source>
+        <translation>sentir</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>répondre</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>résultat</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>right answers to dynamic shapes</source>
+        <translation>de réponses justes pour les formes dynamiques</translation>
+    </message>
+</context>
+<context>
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
@@ -15013,6 +15175,25 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a number, or iso as the unit (--time-unit iso)</source>
         <translation>un nombre, ou iso comme unité (--time-unit iso)</translation>
+    </message>
+</context>
+<context>
+    <name>TareQuestion</name>
+    <message>
+        <source>Tare the array</source>
+        <translation>Tarer la matrice</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels are under load.</source>
+        <translation>%1 des %2 taxels sont chargés.</translation>
+    </message>
+    <message>
+        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
+        <translation>Ce qui appuie sur la matrice pendant la tare ne compte plus comme charge ensuite. Ne tarez que si rien ne touche la matrice et que les charges affichées sont une dérive.</translation>
+    </message>
+    <message>
+        <source>&amp;Tare under load</source>
+        <translation>&amp;Tarer sous charge</translation>
     </message>
 </context>
 <context>
@@ -17528,10 +17709,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Trames en CSV, un fichier par appui&#xa0;: time_s,t0,t1,…</translation>
     </message>
     <message>
-        <source>Every taxel counts as it is. Its gain will be shown here.</source>
-        <translation>Chaque taxel compte tel quel. Ce par quoi chacun est multiplié s’affichera ici.</translation>
-    </message>
-    <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
         <translation>Les taxels rouges ressentent trop peu et sont relevés, les bleus sont abaissés, les hachurés ne sont pas utilisés. Les flèches ou la souris lisent un taxel.</translation>
     </message>
@@ -17544,20 +17721,16 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Tarer maintenant</translation>
     </message>
     <message>
-        <source>Tare the array</source>
-        <translation>Tarer la matrice</translation>
-    </message>
-    <message>
-        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
-        <translation>Ce qui appuie sur la matrice pendant la tare ne compte plus comme charge ensuite. Ne tarez que si rien ne touche la matrice et que les charges affichées sont une dérive.</translation>
-    </message>
-    <message>
-        <source>&amp;Tare under load</source>
-        <translation>&amp;Tarer sous charge</translation>
-    </message>
-    <message>
         <source>Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is pressed already, it was tared under that load: take the load off and tare again.</source>
         <translation>En attente d’une charge sur plus de la moitié des taxels : %1 sur %2 maintenant. Si quelque chose appuie déjà sur la matrice, elle a été tarée sous cette charge : retirez la charge et tarez à nouveau.</translation>
+    </message>
+    <message>
+        <source>The taxels differ by %1 % without gains, by %2 % with them.</source>
+        <translation>Les taxels diffèrent de %1 % sans gains, de %2 % avec gains.</translation>
+    </message>
+    <message>
+        <source>The taxels differ by %1 % under this load.</source>
+        <translation>Sous cette charge, les taxels diffèrent de %1 %.</translation>
     </message>
 </context>
 <context>
@@ -17712,6 +17885,14 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.</source>
         <translation>1. Ouvrez un tableau (CSV) avec une ligne par appui : les signaux du capteur et la charge connue dans force_n, shear_x_n, shear_y_n ou moment_nm. Les lignes sans charge donnent les signaux au repos.</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>signal</translation>
+    </message>
+    <message>
+        <source>No calibration yet</source>
+        <translation>Pas encore d’étalonnage</translation>
     </message>
 </context>
 <context>
@@ -18081,6 +18262,14 @@ Lancez teleta-site --help pour en savoir plus.
             <numerusform>%n moteurs sur %1 étalonnés, non enregistré</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Moteurs</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::StepList</name>
@@ -18153,52 +18342,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Montrer de combien le motif imprimé sur la peau s’est déplacé</translation>
     </message>
     <message>
-        <source>Each printed dot is followed in the whole picture. The default.</source>
-        <translation>Chaque point imprimé est suivi dans l’image entière. Choix par défaut.</translation>
-    </message>
-    <message>
-        <source>the quickest and coarsest</source>
-        <translation>le plus rapide et le plus grossier</translation>
-    </message>
-    <message>
-        <source>a quick one</source>
-        <translation>un préréglage rapide</translation>
-    </message>
-    <message>
-        <source>the slowest and finest</source>
-        <translation>le plus lent et le plus fin</translation>
-    </message>
-    <message>
-        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
-        <translation>Flot dense selon un préréglage d’OpenCV (%1), dans une image %2 fois plus petite</translation>
-    </message>
-    <message>
-        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
-        <translation>Flot dense selon un préréglage d’OpenCV (%1), dans l’image entière</translation>
-    </message>
-    <message>
-        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
-        <translation>Comme dans les travaux publiés&#xa0;: flot dense dans une image de 512&#xa0;×&#xa0;288, et moyenne de ce qui s’y est déplacé</translation>
-    </message>
-    <message>
-        <source>Only where the picture differs from the reference</source>
-        <translation>Seulement autour de ce qui diffère de la référence</translation>
-    </message>
-    <message>
-        <source>Starts from the flow of the previous picture</source>
-        <translation>À partir du flot de l’image précédente</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>Reprendre</translation>
     </message>
     <message>
         <source>Picture not used: %1</source>
         <translation>Non utilisée&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Preparing the finder %1.</source>
-        <translation>Le détecteur %1 est en préparation.</translation>
     </message>
     <message>
         <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
@@ -18219,6 +18368,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Ne&amp;w reference</source>
         <translation>&amp;Nouvelle référence</translation>
+    </message>
+    <message>
+        <source>Preparing the finder: %1.</source>
+        <translation>Détecteur en préparation : %1.</translation>
     </message>
 </context>
 <context>
@@ -20547,6 +20700,10 @@ Lancez teleta-site --help pour en savoir plus.
         <comment>a file</comment>
         <translation>%1 n’a pas pu être enregistré.</translation>
     </message>
+    <message>
+        <source>The loads of the array will be shown here.</source>
+        <translation>Les charges de la matrice s’afficheront ici.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::HandbookWindow</name>
@@ -22392,6 +22549,29 @@ Lancez teleta-site --help pour en savoir plus.
         <source>A&amp;dd a recording…</source>
         <translation>Ajouter &amp;un enregistrement…</translation>
     </message>
+    <message>
+        <source>From each start</source>
+        <translation>Depuis chaque début</translation>
+    </message>
+    <message>
+        <source>Clock time</source>
+        <translation>Heure de l’horloge</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>Axe du temps</translation>
+    </message>
+    <message>
+        <source>Where the time axis begins: with each source, so that a recording lies upon what runs, or by the clock</source>
+        <translation>Où commence l’axe du temps : avec chaque source, si bien qu’un enregistrement se superpose à ce qui tourne, ou selon l’horloge</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) outside the view: Show everything (Home)</source>
+        <translation>
+            <numerusform>%n signal hors de la vue : Tout montrer (Home)</numerusform>
+            <numerusform>%n signaux hors de la vue : Tout montrer (Home)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PlotSignals</name>
@@ -22407,6 +22587,11 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>is being read</source>
         <translation>en cours de lecture</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a signal of a joint</comment>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
@@ -23700,42 +23885,6 @@ Lancez teleta-site --help pour en savoir plus.
 <context>
     <name>teleta::console::StudyPage</name>
     <message>
-        <source>No study</source>
-        <translation>Pas d’étude</translation>
-    </message>
-    <message>
-        <source>Run the user study of the paper, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
-        <translation>Menez l’étude utilisateur de l’article, ou la vôtre&#xa0;: du premier essai d’entraînement aux matrices de confusion et à l’ANOVA.</translation>
-    </message>
-    <message>
-        <source>Watch a rehearsal</source>
-        <translation>Voir une répétition générale</translation>
-    </message>
-    <message>
-        <source>Simulated participants go through the whole study</source>
-        <translation>Des participants simulés parcourent toute l’étude</translation>
-    </message>
-    <message>
-        <source>New study…</source>
-        <translation>Nouvelle étude…</translation>
-    </message>
-    <message>
-        <source>Open a study…</source>
-        <translation>Ouvrir une étude…</translation>
-    </message>
-    <message>
-        <source>The folder of a study</source>
-        <translation>Le dossier d’une étude</translation>
-    </message>
-    <message>
-        <source>Study on a server…</source>
-        <translation>Étude sur un serveur…</translation>
-    </message>
-    <message>
-        <source>A study that several stations share</source>
-        <translation>Une étude que partagent plusieurs postes</translation>
-    </message>
-    <message>
         <source>The noise cannot be played.</source>
         <translation>Le bruit ne peut pas être joué.</translation>
     </message>
@@ -23864,10 +24013,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Completed test trials only.</source>
         <translation>Essais de test complets&#xa0;; les autres sont écartés.</translation>
-    </message>
-    <message>
-        <source>With the paper&apos;s protocol or your own</source>
-        <translation>Selon le protocole de l’article, ou selon le vôtre</translation>
     </message>
     <message>
         <source>Speed of the simulated participants; can be changed between sessions</source>
@@ -25152,8 +25297,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>fréquence</translation>
     </message>
     <message>
-        <source>time</source>
-        <translation>temps</translation>
+        <source>clock time</source>
+        <translation>heure de l’horloge</translation>
+    </message>
+    <message>
+        <source>time since the start of each source</source>
+        <translation>temps depuis le début de chaque source</translation>
     </message>
 </context>
 <context>
@@ -26166,6 +26315,111 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     </message>
 </context>
 <context>
+    <name>teleta::study::StudyStart</name>
+    <message>
+        <source>%1 stopped in “%2” after %3 of %4 trials.</source>
+        <comment>a participant</comment>
+        <translation>%1 s’est arrêté dans « %2 » après %3 essais sur %4.</translation>
+    </message>
+    <message>
+        <source>Nobody has taken part yet.</source>
+        <translation>Personne n’y a encore participé.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions are finished.</source>
+        <translation>%1 des %2 séances sont terminées.</translation>
+    </message>
+    <message>
+        <source>A rehearsal. %1</source>
+        <translation>Une répétition générale. %1</translation>
+    </message>
+    <message>
+        <source>Go on with “%1”</source>
+        <comment>a study</comment>
+        <translation>Poursuivre « %1 »</translation>
+    </message>
+    <message>
+        <source>No study is open</source>
+        <translation>Aucune étude n’est ouverte</translation>
+    </message>
+    <message>
+        <source>Run the published user study, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
+        <translation>Menez l’étude utilisateur publiée, ou la vôtre : du premier essai d’entraînement aux matrices de confusion et à l’ANOVA.</translation>
+    </message>
+    <message>
+        <source>Watch a rehearsal</source>
+        <translation>Voir une répétition générale</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through the whole study, and its results build up.</source>
+        <translation>Des participants simulés parcourent toute l’étude, et ses résultats se forment sous vos yeux.</translation>
+    </message>
+    <message>
+        <source>The published protocol</source>
+        <translation>Le protocole publié</translation>
+    </message>
+    <message>
+        <source>Six shapes and five stiffnesses, static and dynamic: read every step, and begin a study with it.</source>
+        <translation>Six formes et cinq raideurs, statiques et dynamiques : lisez-en chaque étape, et commencez une étude avec lui.</translation>
+    </message>
+    <message>
+        <source>Your own study</source>
+        <translation>Votre étude</translation>
+    </message>
+    <message>
+        <source>Begin with a protocol of yours, or go on with a study in a folder or on a server.</source>
+        <translation>Commencez avec votre protocole, ou poursuivez une étude d’un dossier ou d’un serveur.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Poursuivre</translation>
+    </message>
+    <message>
+        <source>Open the study that was open last</source>
+        <translation>Ouvrir la dernière étude ouverte</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Voir</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through the whole study</source>
+        <translation>Des participants simulés parcourent toute l’étude</translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation>Le lire</translation>
+    </message>
+    <message>
+        <source>Stimuli, practice and test trials of the paper</source>
+        <translation>Stimuli, essais d’entraînement et de test de l’article</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nouvelle…</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s protocol or your own</source>
+        <translation>Selon le protocole de l’article, ou selon le vôtre</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>The folder of a study</source>
+        <translation>Le dossier d’une étude</translation>
+    </message>
+    <message>
+        <source>Server…</source>
+        <translation>Serveur…</translation>
+    </message>
+    <message>
+        <source>A study that several stations share</source>
+        <translation>Une étude que partagent plusieurs postes</translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ThresholdForm</name>
     <message>
         <source>log10 units</source>
@@ -26373,6 +26627,16 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
     <message>
         <source>Force over:</source>
         <translation>Force sur&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <comment>a group of settings</comment>
+        <translation>Charges</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <comment>a group of settings</comment>
+        <translation>Contacts</translation>
     </message>
 </context>
 <context>
@@ -26728,6 +26992,19 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>H&amp;old</source>
         <translation>&amp;Maintenir</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a button and what it does</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Hold (or Shift)</source>
+        <translation>Maintenir (ou Shift)</translation>
+    </message>
+    <message>
+        <source>Hold Shift with %1 (up), %2 (down).</source>
+        <translation>Maintenez Shift avec %1 (augmenter), %2 (diminuer).</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -27002,6 +27279,10 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <source>stiffness</source>
         <translation>raideur</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Below the word stands how long ago the touch was. After half a minute it is stale: the arm may be elsewhere by then.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Sous le mot figure depuis combien de temps l’objet a été touché. Après une demi-minute il est périmé : le bras peut alors être ailleurs.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::TouchModel</name>
@@ -27210,10 +27491,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Regarder depuis un coin</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
-    </message>
-    <message>
         <source>Follow contact</source>
         <translation>Suivre le contact</translation>
     </message>
@@ -27274,10 +27551,6 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Triangles (*.stl)</translation>
     </message>
     <message>
-        <source>Back to the initial view: everything from a corner</source>
-        <translation>Retour au départ&#xa0;: tout, depuis un coin</translation>
-    </message>
-    <message>
         <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
         <translation>Garder au milieu le contact le plus fort, ou la main du bras tant que rien n’est touché</translation>
     </message>
@@ -27288,6 +27561,14 @@ Double-cliquez pour saisir la borne supérieure.</translation>
     <message>
         <source>Look along with the tactile array: the camera moves and turns with the hand that carries it</source>
         <translation>Regarder avec la matrice tactile : la caméra se déplace et tourne avec la main qui la porte</translation>
+    </message>
+    <message>
+        <source>Initial view</source>
+        <translation>Vue initiale</translation>
+    </message>
+    <message>
+        <source>Back to the view of the beginning, from a corner</source>
+        <translation>Revenir à la vue du début, depuis un angle</translation>
     </message>
 </context>
 <context>

@@ -3352,6 +3352,26 @@ Examples:
         <source>No setting is more accurate.</source>
         <translation>より正確な設定はありません。</translation>
     </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Tactile array</source>
+        <translation>触覚アレイ</translation>
+    </message>
+    <message>
+        <source>Touched object</source>
+        <translation>触れた物体</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>実験</translation>
+    </message>
 </context>
 <context>
     <name>CsvReaderText</name>
@@ -4676,6 +4696,113 @@ Examples:
     </message>
 </context>
 <context>
+    <name>FinderNames</name>
+    <message>
+        <source>As published</source>
+        <translation>論文の方法</translation>
+    </message>
+    <message>
+        <source>Printed dots</source>
+        <translation>印刷された点</translation>
+    </message>
+    <message>
+        <source>Coarse flow</source>
+        <translation>粗いフロー</translation>
+    </message>
+    <message>
+        <source>Quick flow</source>
+        <translation>速いフロー</translation>
+    </message>
+    <message>
+        <source>Fine flow</source>
+        <translation>細かいフロー</translation>
+    </message>
+    <message>
+        <source>%1, changed parts</source>
+        <comment>a finder that looks only at those</comment>
+        <translation>%1、変化した部分</translation>
+    </message>
+    <message>
+        <source>%1, from the last picture</source>
+        <comment>a finder that starts there</comment>
+        <translation>%1、前の画像から</translation>
+    </message>
+    <message>
+        <source>%1, 1 : %2</source>
+        <comment>a finder and how many times its picture is smaller</comment>
+        <translation>%1、1 : %2</translation>
+    </message>
+    <message>
+        <source>%1, whole picture</source>
+        <comment>a finder</comment>
+        <translation>%1、画像全体</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture&apos;s points</source>
+        <translation>画像の点の%1 %</translation>
+    </message>
+    <message>
+        <source>fine; %1, mean of those that moved</source>
+        <translation>細かい。%1、動いた点の平均</translation>
+    </message>
+    <message>
+        <source>follows each dot alone; the default</source>
+        <translation>点だけを追います。既定</translation>
+    </message>
+    <message>
+        <source>quickest and coarsest; %1</source>
+        <translation>最も速く最も粗い。%1</translation>
+    </message>
+    <message>
+        <source>quick; %1, where they differ from the reference</source>
+        <translation>速い。%1、基準と異なる所だけ</translation>
+    </message>
+    <message>
+        <source>quick; %1</source>
+        <translation>速い。%1</translation>
+    </message>
+    <message>
+        <source>slowest and finest; %1</source>
+        <translation>最も遅く最も細かい。%1</translation>
+    </message>
+    <message>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
+        <translation>論文と同じ方法: 512 × 288の画像での密オプティカルフローと、そこで動いた部分の平均</translation>
+    </message>
+    <message>
+        <source>Each printed dot is followed in the whole picture. The default.</source>
+        <translation>印刷された各ドットを元の大きさの画像で追跡します。既定の方法です。</translation>
+    </message>
+    <message>
+        <source>the quickest and coarsest</source>
+        <translation>最も速く最も粗い</translation>
+    </message>
+    <message>
+        <source>a quick one</source>
+        <translation>速い</translation>
+    </message>
+    <message>
+        <source>the slowest and finest</source>
+        <translation>最も遅く最も細かい</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
+        <translation>OpenCVのプリセット（%1）による密オプティカルフロー、%2分の1の大きさの画像で計算</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
+        <translation>OpenCVのプリセット（%1）による密オプティカルフロー、元の大きさの画像で計算</translation>
+    </message>
+    <message>
+        <source>Only where the picture differs from the reference</source>
+        <translation>基準と異なる部分の周りだけ</translation>
+    </message>
+    <message>
+        <source>Starts from the flow of the previous picture</source>
+        <translation>前の画像のフローから始めます</translation>
+    </message>
+</context>
+<context>
     <name>ForeignDatabase</name>
     <message>
         <source>SQLite cannot be made defensive</source>
@@ -5118,6 +5245,18 @@ Examples:
     <message>
         <source>cannot tell</source>
         <translation>判定不能</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>stale, %1 ago</source>
+        <translation>古い、%1前</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>%1前</translation>
     </message>
 </context>
 <context>
@@ -13548,6 +13687,29 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPictures</name>
+    <message>
+        <source>feel</source>
+        <translation>感じる</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>答える</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>right answers to dynamic shapes</source>
+        <translation>動的な形状の正答率</translation>
+    </message>
+</context>
+<context>
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
@@ -14978,6 +15140,25 @@ Run teleta-site --help for more.
     <message>
         <source>a number, or iso as the unit (--time-unit iso)</source>
         <translation>数値、または単位としてiso（--time-unit iso）</translation>
+    </message>
+</context>
+<context>
+    <name>TareQuestion</name>
+    <message>
+        <source>Tare the array</source>
+        <translation>アレイのゼロ点調整</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels are under load.</source>
+        <translation>%2個中%1個のタクセルに荷重がかかっています。</translation>
+    </message>
+    <message>
+        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
+        <translation>ゼロ点調整中にアレイを押しているものは、その後は荷重として数えられません。何もアレイに触れておらず、表示されている荷重がドリフトである場合にだけゼロ点を調整してください。</translation>
+    </message>
+    <message>
+        <source>&amp;Tare under load</source>
+        <translation>荷重がかかったままゼロ点調整(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -17484,10 +17665,6 @@ Run teleta-site --help for more.
         <translation>CSVのフレーム、押圧ごとに1ファイル: time_s,t0,t1,…</translation>
     </message>
     <message>
-        <source>Every taxel counts as it is. Its gain will be shown here.</source>
-        <translation>各タクセルはそのまま数えられます。それぞれに掛ける係数がここに表示されます。</translation>
-    </message>
-    <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
         <translation>赤いタクセルは感度が低いため引き上げられ、青いものは引き下げられ、斜線のものは使われません。矢印キーかマウスで1つずつ読めます。</translation>
     </message>
@@ -17500,20 +17677,16 @@ Run teleta-site --help for more.
         <translation>ゼロ点調整(&amp;N)</translation>
     </message>
     <message>
-        <source>Tare the array</source>
-        <translation>アレイのゼロ点調整</translation>
-    </message>
-    <message>
-        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
-        <translation>ゼロ点調整中にアレイを押しているものは、その後は荷重として数えられません。何もアレイに触れておらず、表示されている荷重がドリフトである場合にだけゼロ点を調整してください。</translation>
-    </message>
-    <message>
-        <source>&amp;Tare under load</source>
-        <translation>荷重がかかったままゼロ点調整(&amp;T)</translation>
-    </message>
-    <message>
         <source>Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is pressed already, it was tared under that load: take the load off and tare again.</source>
         <translation>半分を超えるタクセルへの荷重を待っています: 現在%2個中%1個。アレイがすでに押されている場合は、その荷重のままゼロ点が調整されています。荷重を取り除いて、もう一度ゼロ点を調整してください。</translation>
+    </message>
+    <message>
+        <source>The taxels differ by %1 % without gains, by %2 % with them.</source>
+        <translation>タクセルのばらつきは、ゲインなしで%1 %、ゲインありで%2 %です。</translation>
+    </message>
+    <message>
+        <source>The taxels differ by %1 % under this load.</source>
+        <translation>この荷重でのタクセルのばらつきは%1 %です。</translation>
     </message>
 </context>
 <context>
@@ -17668,6 +17841,14 @@ Run teleta-site --help for more.
     <message>
         <source>1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.</source>
         <translation>1. 1行が1回の押し付けを表すCSVの表を開きます：センサーの信号と、force_n、shear_x_n、shear_y_n、moment_nm のいずれかの既知の荷重。荷重のない行は静止時の信号になります。</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>No calibration yet</source>
+        <translation>校正はまだありません</translation>
     </message>
 </context>
 <context>
@@ -18035,6 +18216,14 @@ Run teleta-site --help for more.
             <numerusform>%1個中%n個のモーターをキャリブレーション済み、未保存</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>モーター</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::StepList</name>
@@ -18107,52 +18296,12 @@ Run teleta-site --help for more.
         <translation>皮膚の模様がどれだけ動いたかを表示します</translation>
     </message>
     <message>
-        <source>Each printed dot is followed in the whole picture. The default.</source>
-        <translation>印刷された各ドットを元の大きさの画像で追跡します。既定の方法です。</translation>
-    </message>
-    <message>
-        <source>the quickest and coarsest</source>
-        <translation>最も速く最も粗い</translation>
-    </message>
-    <message>
-        <source>a quick one</source>
-        <translation>速い</translation>
-    </message>
-    <message>
-        <source>the slowest and finest</source>
-        <translation>最も遅く最も細かい</translation>
-    </message>
-    <message>
-        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
-        <translation>OpenCVのプリセット（%1）による密オプティカルフロー、%2分の1の大きさの画像で計算</translation>
-    </message>
-    <message>
-        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
-        <translation>OpenCVのプリセット（%1）による密オプティカルフロー、元の大きさの画像で計算</translation>
-    </message>
-    <message>
-        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
-        <translation>論文と同じ方法: 512 × 288の画像での密オプティカルフローと、そこで動いた部分の平均</translation>
-    </message>
-    <message>
-        <source>Only where the picture differs from the reference</source>
-        <translation>基準と異なる部分の周りだけ</translation>
-    </message>
-    <message>
-        <source>Starts from the flow of the previous picture</source>
-        <translation>前の画像のフローから始めます</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>続行</translation>
     </message>
     <message>
         <source>Picture not used: %1</source>
         <translation>不使用: %1</translation>
-    </message>
-    <message>
-        <source>Preparing the finder %1.</source>
-        <translation>検出器 %1 を準備しています。</translation>
     </message>
     <message>
         <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
@@ -18173,6 +18322,10 @@ Run teleta-site --help for more.
     <message>
         <source>Ne&amp;w reference</source>
         <translation>新しい基準(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Preparing the finder: %1.</source>
+        <translation>検出器を準備しています: %1</translation>
     </message>
 </context>
 <context>
@@ -20487,6 +20640,10 @@ Run teleta-site --help for more.
         <comment>a file</comment>
         <translation>%1 を保存できませんでした。</translation>
     </message>
+    <message>
+        <source>The loads of the array will be shown here.</source>
+        <translation>アレイの荷重がここに表示されます。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::HandbookWindow</name>
@@ -22327,6 +22484,28 @@ Run teleta-site --help for more.
         <source>A&amp;dd a recording…</source>
         <translation>記録を追加(&amp;D)…</translation>
     </message>
+    <message>
+        <source>From each start</source>
+        <translation>それぞれの開始から</translation>
+    </message>
+    <message>
+        <source>Clock time</source>
+        <translation>時計の時刻</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>時間軸</translation>
+    </message>
+    <message>
+        <source>Where the time axis begins: with each source, so that a recording lies upon what runs, or by the clock</source>
+        <translation>時間軸の始まり。ソースごとの開始では記録が動作中の信号に重なります。または時計に従います</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) outside the view: Show everything (Home)</source>
+        <translation>
+            <numerusform>%n個の信号が表示範囲外: すべて表示 (Home)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PlotSignals</name>
@@ -22342,6 +22521,11 @@ Run teleta-site --help for more.
     <message>
         <source>is being read</source>
         <translation>読み込み中</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a signal of a joint</comment>
+        <translation>%2の%1</translation>
     </message>
 </context>
 <context>
@@ -23629,42 +23813,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::StudyPage</name>
     <message>
-        <source>No study</source>
-        <translation>実験なし</translation>
-    </message>
-    <message>
-        <source>Run the user study of the paper, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
-        <translation>論文のユーザー実験、または独自の実験を、最初の練習試行から混同行列と分散分析まで実施します。</translation>
-    </message>
-    <message>
-        <source>Watch a rehearsal</source>
-        <translation>リハーサルを見る</translation>
-    </message>
-    <message>
-        <source>Simulated participants go through the whole study</source>
-        <translation>シミュレーション参加者が実験全体を行います</translation>
-    </message>
-    <message>
-        <source>New study…</source>
-        <translation>新しい実験…</translation>
-    </message>
-    <message>
-        <source>Open a study…</source>
-        <translation>実験を開く…</translation>
-    </message>
-    <message>
-        <source>The folder of a study</source>
-        <translation>実験のフォルダー</translation>
-    </message>
-    <message>
-        <source>Study on a server…</source>
-        <translation>サーバー上の実験…</translation>
-    </message>
-    <message>
-        <source>A study that several stations share</source>
-        <translation>複数のステーションで共有する実験</translation>
-    </message>
-    <message>
         <source>The noise cannot be played.</source>
         <translation>ノイズを再生できません。</translation>
     </message>
@@ -23793,10 +23941,6 @@ Run teleta-site --help for more.
     <message>
         <source>Completed test trials only.</source>
         <translation>完了したテスト試行のみを対象とします。</translation>
-    </message>
-    <message>
-        <source>With the paper&apos;s protocol or your own</source>
-        <translation>論文のプロトコル、または独自のプロトコルによる実験</translation>
     </message>
     <message>
         <source>Speed of the simulated participants; can be changed between sessions</source>
@@ -25081,8 +25225,12 @@ Run teleta-site --help for more.
         <translation>周波数</translation>
     </message>
     <message>
-        <source>time</source>
-        <translation>時間</translation>
+        <source>clock time</source>
+        <translation>時計の時刻</translation>
+    </message>
+    <message>
+        <source>time since the start of each source</source>
+        <translation>各ソースの開始からの時間</translation>
     </message>
 </context>
 <context>
@@ -26093,6 +26241,111 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
 </context>
 <context>
+    <name>teleta::study::StudyStart</name>
+    <message>
+        <source>%1 stopped in “%2” after %3 of %4 trials.</source>
+        <comment>a participant</comment>
+        <translation>%1は「%2」の%4試行中%3試行で中断しました。</translation>
+    </message>
+    <message>
+        <source>Nobody has taken part yet.</source>
+        <translation>まだ参加者はいません。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions are finished.</source>
+        <translation>%2セッション中%1セッションが終了しています。</translation>
+    </message>
+    <message>
+        <source>A rehearsal. %1</source>
+        <translation>リハーサル。%1</translation>
+    </message>
+    <message>
+        <source>Go on with “%1”</source>
+        <comment>a study</comment>
+        <translation>「%1」を続ける</translation>
+    </message>
+    <message>
+        <source>No study is open</source>
+        <translation>開いている実験はありません</translation>
+    </message>
+    <message>
+        <source>Run the published user study, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
+        <translation>論文のユーザー実験、または独自の実験を、最初の練習試行から混同行列と分散分析まで実施します。</translation>
+    </message>
+    <message>
+        <source>Watch a rehearsal</source>
+        <translation>リハーサルを見る</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through the whole study, and its results build up.</source>
+        <translation>シミュレーション参加者が実験全体を行い、結果が積み上がっていきます。</translation>
+    </message>
+    <message>
+        <source>The published protocol</source>
+        <translation>論文のプロトコル</translation>
+    </message>
+    <message>
+        <source>Six shapes and five stiffnesses, static and dynamic: read every step, and begin a study with it.</source>
+        <translation>6つの形状と5つの剛性、それぞれ静的と動的。すべての手順を読み、それを使って実験を始めます。</translation>
+    </message>
+    <message>
+        <source>Your own study</source>
+        <translation>独自の実験</translation>
+    </message>
+    <message>
+        <source>Begin with a protocol of yours, or go on with a study in a folder or on a server.</source>
+        <translation>独自のプロトコルで始めるか、フォルダーまたはサーバーにある実験を続けます。</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>続ける</translation>
+    </message>
+    <message>
+        <source>Open the study that was open last</source>
+        <translation>最後に開いていた実験を開きます</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>見る</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through the whole study</source>
+        <translation>シミュレーション参加者が実験全体を行います</translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation>読む</translation>
+    </message>
+    <message>
+        <source>Stimuli, practice and test trials of the paper</source>
+        <translation>論文の刺激、練習試行、テスト試行</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>新規…</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s protocol or your own</source>
+        <translation>論文のプロトコル、または独自のプロトコルによる実験</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>開く…</translation>
+    </message>
+    <message>
+        <source>The folder of a study</source>
+        <translation>実験のフォルダー</translation>
+    </message>
+    <message>
+        <source>Server…</source>
+        <translation>サーバー…</translation>
+    </message>
+    <message>
+        <source>A study that several stations share</source>
+        <translation>複数のステーションで共有する実験</translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ThresholdForm</name>
     <message>
         <source>log10 units</source>
@@ -26299,6 +26552,16 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>No&amp;ise height:</source>
         <translation>ノイズ高さ(&amp;I):</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <comment>a group of settings</comment>
+        <translation>荷重</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <comment>a group of settings</comment>
+        <translation>接触</translation>
     </message>
 </context>
 <context>
@@ -26654,6 +26917,19 @@ Double-click to type the upper end.</source>
         <source>H&amp;old</source>
         <translation>保持(&amp;O)</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a button and what it does</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Hold (or Shift)</source>
+        <translation>押している間 (Shift)</translation>
+    </message>
+    <message>
+        <source>Hold Shift with %1 (up), %2 (down).</source>
+        <translation>Shiftと %1 (増)、%2 (減) を押し続けてください。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -26927,6 +27203,10 @@ Double-click to type the upper end.</source>
         <source>stiffness</source>
         <translation>剛性</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Below the word stands how long ago the touch was. After half a minute it is stale: the arm may be elsewhere by then.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;言葉の下に、触れてからどれだけ経ったかが示されます。30秒を過ぎると古いと示します。アームはもう別の場所にあるかもしれません。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::TouchModel</name>
@@ -27133,10 +27413,6 @@ Double-click to type the upper end.</source>
         <translation>斜め上の角から見ます</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>全体を表示</translation>
-    </message>
-    <message>
         <source>Follow contact</source>
         <translation>接触に追従</translation>
     </message>
@@ -27197,10 +27473,6 @@ Double-click to type the upper end.</source>
         <translation>三角形 (*.stl)</translation>
     </message>
     <message>
-        <source>Back to the initial view: everything from a corner</source>
-        <translation>最初の表示に戻ります: 全体を角から表示</translation>
-    </message>
-    <message>
         <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
         <translation>最も強い接触を、何にも触れていない間はアームの手先を中央に保ちます</translation>
     </message>
@@ -27211,6 +27483,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Look along with the tactile array: the camera moves and turns with the hand that carries it</source>
         <translation>触覚アレイとともに見る：カメラはアレイを持つハンドとともに動き、回ります</translation>
+    </message>
+    <message>
+        <source>Initial view</source>
+        <translation>初期表示</translation>
+    </message>
+    <message>
+        <source>Back to the view of the beginning, from a corner</source>
+        <translation>最初の表示 (斜めから) に戻ります</translation>
     </message>
 </context>
 <context>

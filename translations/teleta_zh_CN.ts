@@ -3352,6 +3352,26 @@ Examples:
         <source>No setting is more accurate.</source>
         <translation>没有更准确的设置。</translation>
     </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Tactile array</source>
+        <translation>触觉阵列</translation>
+    </message>
+    <message>
+        <source>Touched object</source>
+        <translation>被触碰物体</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>仿真</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>研究</translation>
+    </message>
 </context>
 <context>
     <name>CsvReaderText</name>
@@ -4676,6 +4696,113 @@ Examples:
     </message>
 </context>
 <context>
+    <name>FinderNames</name>
+    <message>
+        <source>As published</source>
+        <translation>如论文所述</translation>
+    </message>
+    <message>
+        <source>Printed dots</source>
+        <translation>印刷点</translation>
+    </message>
+    <message>
+        <source>Coarse flow</source>
+        <translation>粗略光流</translation>
+    </message>
+    <message>
+        <source>Quick flow</source>
+        <translation>快速光流</translation>
+    </message>
+    <message>
+        <source>Fine flow</source>
+        <translation>精细光流</translation>
+    </message>
+    <message>
+        <source>%1, changed parts</source>
+        <comment>a finder that looks only at those</comment>
+        <translation>%1，变化的部分</translation>
+    </message>
+    <message>
+        <source>%1, from the last picture</source>
+        <comment>a finder that starts there</comment>
+        <translation>%1，从上一幅图像开始</translation>
+    </message>
+    <message>
+        <source>%1, 1 : %2</source>
+        <comment>a finder and how many times its picture is smaller</comment>
+        <translation>%1，1 : %2</translation>
+    </message>
+    <message>
+        <source>%1, whole picture</source>
+        <comment>a finder</comment>
+        <translation>%1，整幅图像</translation>
+    </message>
+    <message>
+        <source>%1 % of the picture&apos;s points</source>
+        <translation>图像中 %1 % 的点</translation>
+    </message>
+    <message>
+        <source>fine; %1, mean of those that moved</source>
+        <translation>精细；%1，取移动的点的平均</translation>
+    </message>
+    <message>
+        <source>follows each dot alone; the default</source>
+        <translation>只跟踪每个点；默认</translation>
+    </message>
+    <message>
+        <source>quickest and coarsest; %1</source>
+        <translation>最快也最粗略；%1</translation>
+    </message>
+    <message>
+        <source>quick; %1, where they differ from the reference</source>
+        <translation>快；%1，仅在与参考不同之处</translation>
+    </message>
+    <message>
+        <source>quick; %1</source>
+        <translation>快；%1</translation>
+    </message>
+    <message>
+        <source>slowest and finest; %1</source>
+        <translation>最慢也最精细；%1</translation>
+    </message>
+    <message>
+        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
+        <translation>与已发表的工作相同：在 512 × 288 的图像中计算稠密光流，并取其中移动部分的平均值</translation>
+    </message>
+    <message>
+        <source>Each printed dot is followed in the whole picture. The default.</source>
+        <translation>在原尺寸图像中跟踪每个印刷圆点。默认方式。</translation>
+    </message>
+    <message>
+        <source>the quickest and coarsest</source>
+        <translation>最快、最粗略</translation>
+    </message>
+    <message>
+        <source>a quick one</source>
+        <translation>较快</translation>
+    </message>
+    <message>
+        <source>the slowest and finest</source>
+        <translation>最慢、最精细</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
+        <translation>采用 OpenCV 预设（%1）的稠密光流，在缩小到 1/%2 的图像中计算</translation>
+    </message>
+    <message>
+        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
+        <translation>采用 OpenCV 预设（%1）的稠密光流，在原尺寸图像中计算</translation>
+    </message>
+    <message>
+        <source>Only where the picture differs from the reference</source>
+        <translation>仅在与参考不同之处的周围</translation>
+    </message>
+    <message>
+        <source>Starts from the flow of the previous picture</source>
+        <translation>以前一幅图像的光流为初值</translation>
+    </message>
+</context>
+<context>
     <name>ForeignDatabase</name>
     <message>
         <source>SQLite cannot be made defensive</source>
@@ -5118,6 +5245,18 @@ Examples:
     <message>
         <source>cannot tell</source>
         <translation>无法判断</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>stale, %1 ago</source>
+        <translation>已过时，%1 前</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>%1 前</translation>
     </message>
 </context>
 <context>
@@ -13548,6 +13687,29 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>StudyPictures</name>
+    <message>
+        <source>feel</source>
+        <translation>感受</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>作答</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
+    <message>
+        <source>right answers to dynamic shapes</source>
+        <translation>动态形状的正确率</translation>
+    </message>
+</context>
+<context>
     <name>StudyPlan</name>
     <message>
         <source>the protocol has no task &quot;%1&quot;</source>
@@ -14978,6 +15140,25 @@ Run teleta-site --help for more.
     <message>
         <source>a number, or iso as the unit (--time-unit iso)</source>
         <translation>数值，或以 iso 为单位（--time-unit iso）</translation>
+    </message>
+</context>
+<context>
+    <name>TareQuestion</name>
+    <message>
+        <source>Tare the array</source>
+        <translation>对阵列去皮</translation>
+    </message>
+    <message>
+        <source>%1 of %2 taxels are under load.</source>
+        <translation>%2 个触觉单元中有 %1 个受载。</translation>
+    </message>
+    <message>
+        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
+        <translation>去皮时压在阵列上的东西，之后不再算作载荷。只有在没有任何物体接触阵列、所显示的载荷是漂移时才去皮。</translation>
+    </message>
+    <message>
+        <source>&amp;Tare under load</source>
+        <translation>带载去皮(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -17484,10 +17665,6 @@ Run teleta-site --help for more.
         <translation>CSV 格式的帧，每次按压一个文件：time_s,t0,t1,…</translation>
     </message>
     <message>
-        <source>Every taxel counts as it is. Its gain will be shown here.</source>
-        <translation>每个触觉单元按原值计。各触觉单元所乘的系数将显示在这里。</translation>
-    </message>
-    <message>
         <source>Red taxels read too low and are raised, blue ones are lowered, hatched ones are not used. Point at a taxel, or use the arrow keys, to read its gain.</source>
         <translation>红色触觉单元感受偏小而被调高，蓝色触觉单元被调低，带斜线的不使用。用方向键或鼠标读取单个触觉单元。</translation>
     </message>
@@ -17500,20 +17677,16 @@ Run teleta-site --help for more.
         <translation>立即去皮(&amp;N)</translation>
     </message>
     <message>
-        <source>Tare the array</source>
-        <translation>对阵列去皮</translation>
-    </message>
-    <message>
-        <source>What presses on the array during the tare counts as no load afterwards. Tare only if nothing touches the array and the loads shown are drift.</source>
-        <translation>去皮时压在阵列上的东西，之后不再算作载荷。只有在没有任何物体接触阵列、所显示的载荷是漂移时才去皮。</translation>
-    </message>
-    <message>
-        <source>&amp;Tare under load</source>
-        <translation>带载去皮(&amp;T)</translation>
-    </message>
-    <message>
         <source>Waiting for a load on more than half of the taxels: %1 of %2 now. If the array is pressed already, it was tared under that load: take the load off and tare again.</source>
         <translation>等待一半以上的触觉单元受载：现在 %1 / %2。如果阵列已经受压，说明它是在该载荷下去皮的：请移除载荷并重新去皮。</translation>
+    </message>
+    <message>
+        <source>The taxels differ by %1 % without gains, by %2 % with them.</source>
+        <translation>各触觉单元在无增益时相差 %1%，有增益时相差 %2%。</translation>
+    </message>
+    <message>
+        <source>The taxels differ by %1 % under this load.</source>
+        <translation>在此载荷下，各触觉单元相差 %1%。</translation>
     </message>
 </context>
 <context>
@@ -17668,6 +17841,14 @@ Run teleta-site --help for more.
     <message>
         <source>1. Open a table (CSV) with one row per press: the signals of the sensor, and the known load in force_n, shear_x_n, shear_y_n or moment_nm. Rows without load give the signals at rest.</source>
         <translation>1. 打开一个每行一次按压的表格 (CSV)：传感器的信号，以及 force_n、shear_x_n、shear_y_n 或 moment_nm 中的已知载荷。无载荷的行给出静止时的信号。</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>No calibration yet</source>
+        <translation>尚无校准</translation>
     </message>
 </context>
 <context>
@@ -18035,6 +18216,14 @@ Run teleta-site --help for more.
             <numerusform>%1 个电机中已标定 %n 个，未保存</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>电机</translation>
+    </message>
 </context>
 <context>
     <name>teleta::calibrate::StepList</name>
@@ -18107,52 +18296,12 @@ Run teleta-site --help for more.
         <translation>显示皮肤上的花纹移动了多远</translation>
     </message>
     <message>
-        <source>Each printed dot is followed in the whole picture. The default.</source>
-        <translation>在原尺寸图像中跟踪每个印刷圆点。默认方式。</translation>
-    </message>
-    <message>
-        <source>the quickest and coarsest</source>
-        <translation>最快、最粗略</translation>
-    </message>
-    <message>
-        <source>a quick one</source>
-        <translation>较快</translation>
-    </message>
-    <message>
-        <source>the slowest and finest</source>
-        <translation>最慢、最精细</translation>
-    </message>
-    <message>
-        <source>Dense flow by a preset of OpenCV (%1), in a picture %2 times smaller</source>
-        <translation>采用 OpenCV 预设（%1）的稠密光流，在缩小到 1/%2 的图像中计算</translation>
-    </message>
-    <message>
-        <source>Dense flow by a preset of OpenCV (%1), in the whole picture</source>
-        <translation>采用 OpenCV 预设（%1）的稠密光流，在原尺寸图像中计算</translation>
-    </message>
-    <message>
-        <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
-        <translation>与已发表的工作相同：在 512 × 288 的图像中计算稠密光流，并取其中移动部分的平均值</translation>
-    </message>
-    <message>
-        <source>Only where the picture differs from the reference</source>
-        <translation>仅在与参考不同之处的周围</translation>
-    </message>
-    <message>
-        <source>Starts from the flow of the previous picture</source>
-        <translation>以前一幅图像的光流为初值</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>继续</translation>
     </message>
     <message>
         <source>Picture not used: %1</source>
         <translation>未使用：%1</translation>
-    </message>
-    <message>
-        <source>Preparing the finder %1.</source>
-        <translation>正在准备检测器 %1。</translation>
     </message>
     <message>
         <source>How contacts are found: from the printed dots alone, or with dense flow by one of OpenCV&apos;s presets; the number is how many times the image is reduced</source>
@@ -18173,6 +18322,10 @@ Run teleta-site --help for more.
     <message>
         <source>Ne&amp;w reference</source>
         <translation>新参考(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Preparing the finder: %1.</source>
+        <translation>正在准备检测器：%1。</translation>
     </message>
 </context>
 <context>
@@ -20487,6 +20640,10 @@ Run teleta-site --help for more.
         <comment>a file</comment>
         <translation>无法保存 %1。</translation>
     </message>
+    <message>
+        <source>The loads of the array will be shown here.</source>
+        <translation>阵列的载荷将显示在这里。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::HandbookWindow</name>
@@ -22327,6 +22484,28 @@ Run teleta-site --help for more.
         <source>A&amp;dd a recording…</source>
         <translation>添加记录(&amp;D)…</translation>
     </message>
+    <message>
+        <source>From each start</source>
+        <translation>从各自开始</translation>
+    </message>
+    <message>
+        <source>Clock time</source>
+        <translation>时钟时间</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Where the time axis begins: with each source, so that a recording lies upon what runs, or by the clock</source>
+        <translation>时间轴的起点：随各数据源开始，使记录与运行中的信号重叠；或按时钟</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s) outside the view: Show everything (Home)</source>
+        <translation>
+            <numerusform>%n 个信号在视图之外：显示全部 (Home)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PlotSignals</name>
@@ -22342,6 +22521,11 @@ Run teleta-site --help for more.
     <message>
         <source>is being read</source>
         <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a signal of a joint</comment>
+        <translation>%2的 %1</translation>
     </message>
 </context>
 <context>
@@ -23629,42 +23813,6 @@ Run teleta-site --help for more.
 <context>
     <name>teleta::console::StudyPage</name>
     <message>
-        <source>No study</source>
-        <translation>无研究</translation>
-    </message>
-    <message>
-        <source>Run the user study of the paper, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
-        <translation>进行论文中的用户研究，或您自己的研究：从第一个练习试次到混淆矩阵和方差分析。</translation>
-    </message>
-    <message>
-        <source>Watch a rehearsal</source>
-        <translation>观看预演</translation>
-    </message>
-    <message>
-        <source>Simulated participants go through the whole study</source>
-        <translation>模拟被试完成整个研究</translation>
-    </message>
-    <message>
-        <source>New study…</source>
-        <translation>新建研究…</translation>
-    </message>
-    <message>
-        <source>Open a study…</source>
-        <translation>打开研究…</translation>
-    </message>
-    <message>
-        <source>The folder of a study</source>
-        <translation>研究的文件夹</translation>
-    </message>
-    <message>
-        <source>Study on a server…</source>
-        <translation>服务器上的研究…</translation>
-    </message>
-    <message>
-        <source>A study that several stations share</source>
-        <translation>多个工作站共用的研究</translation>
-    </message>
-    <message>
         <source>The noise cannot be played.</source>
         <translation>无法播放噪声。</translation>
     </message>
@@ -23793,10 +23941,6 @@ Run teleta-site --help for more.
     <message>
         <source>Completed test trials only.</source>
         <translation>已完成的测试试次；其他不计入。</translation>
-    </message>
-    <message>
-        <source>With the paper&apos;s protocol or your own</source>
-        <translation>按论文方案，或按您自己的方案</translation>
     </message>
     <message>
         <source>Speed of the simulated participants; can be changed between sessions</source>
@@ -25081,8 +25225,12 @@ Run teleta-site --help for more.
         <translation>频率</translation>
     </message>
     <message>
-        <source>time</source>
-        <translation>时间</translation>
+        <source>clock time</source>
+        <translation>时钟时间</translation>
+    </message>
+    <message>
+        <source>time since the start of each source</source>
+        <translation>自各数据源开始以来的时间</translation>
     </message>
 </context>
 <context>
@@ -26093,6 +26241,111 @@ Enter what you assume on the left, and choose Plan.</source>
     </message>
 </context>
 <context>
+    <name>teleta::study::StudyStart</name>
+    <message>
+        <source>%1 stopped in “%2” after %3 of %4 trials.</source>
+        <comment>a participant</comment>
+        <translation>%1 在“%2”中完成 %4 个试次中的 %3 个后中断。</translation>
+    </message>
+    <message>
+        <source>Nobody has taken part yet.</source>
+        <translation>尚无人参加。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions are finished.</source>
+        <translation>%2 个场次中已完成 %1 个。</translation>
+    </message>
+    <message>
+        <source>A rehearsal. %1</source>
+        <translation>预演。%1</translation>
+    </message>
+    <message>
+        <source>Go on with “%1”</source>
+        <comment>a study</comment>
+        <translation>继续“%1”</translation>
+    </message>
+    <message>
+        <source>No study is open</source>
+        <translation>未打开研究</translation>
+    </message>
+    <message>
+        <source>Run the published user study, or one of your own: from the first practice trial to confusion matrices and ANOVA.</source>
+        <translation>进行已发表的用户研究，或您自己的研究：从第一个练习试次到混淆矩阵和方差分析。</translation>
+    </message>
+    <message>
+        <source>Watch a rehearsal</source>
+        <translation>观看预演</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through the whole study, and its results build up.</source>
+        <translation>模拟被试完成整个研究，结果逐步形成。</translation>
+    </message>
+    <message>
+        <source>The published protocol</source>
+        <translation>已发表的方案</translation>
+    </message>
+    <message>
+        <source>Six shapes and five stiffnesses, static and dynamic: read every step, and begin a study with it.</source>
+        <translation>六种形状和五种刚度，静态和动态：阅读每一步，并用它开始一项研究。</translation>
+    </message>
+    <message>
+        <source>Your own study</source>
+        <translation>您自己的研究</translation>
+    </message>
+    <message>
+        <source>Begin with a protocol of yours, or go on with a study in a folder or on a server.</source>
+        <translation>用您自己的方案开始，或继续文件夹中或服务器上的研究。</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Open the study that was open last</source>
+        <translation>打开上次打开的研究</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>观看</translation>
+    </message>
+    <message>
+        <source>Simulated participants go through the whole study</source>
+        <translation>模拟被试完成整个研究</translation>
+    </message>
+    <message>
+        <source>Read it</source>
+        <translation>阅读</translation>
+    </message>
+    <message>
+        <source>Stimuli, practice and test trials of the paper</source>
+        <translation>论文的刺激、练习试次和测试试次</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>新建…</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s protocol or your own</source>
+        <translation>按论文方案，或按您自己的方案</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>The folder of a study</source>
+        <translation>研究的文件夹</translation>
+    </message>
+    <message>
+        <source>Server…</source>
+        <translation>服务器…</translation>
+    </message>
+    <message>
+        <source>A study that several stations share</source>
+        <translation>多个工作站共用的研究</translation>
+    </message>
+</context>
+<context>
     <name>teleta::study::ThresholdForm</name>
     <message>
         <source>log10 units</source>
@@ -26299,6 +26552,16 @@ Enter what you assume on the left, and choose Plan.</source>
     <message>
         <source>No&amp;ise height:</source>
         <translation>噪声高度(&amp;I)：</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <comment>a group of settings</comment>
+        <translation>载荷</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <comment>a group of settings</comment>
+        <translation>接触</translation>
     </message>
 </context>
 <context>
@@ -26654,6 +26917,19 @@ Double-click to type the upper end.</source>
         <source>H&amp;old</source>
         <translation>保持(&amp;O)</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a button and what it does</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Hold (or Shift)</source>
+        <translation>按住（或 Shift）</translation>
+    </message>
+    <message>
+        <source>Hold Shift with %1 (up), %2 (down).</source>
+        <translation>按住 Shift 加 %1（正向）、%2（负向）。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::JointRange</name>
@@ -26927,6 +27203,10 @@ Double-click to type the upper end.</source>
         <source>stiffness</source>
         <translation>刚度</translation>
     </message>
+    <message>
+        <source>&lt;p&gt;Below the word stands how long ago the touch was. After half a minute it is stale: the arm may be elsewhere by then.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;文字下方给出触摸是多久之前的事。超过半分钟即已过时：机械臂此时可能已在别处。&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>teleta::touch::TouchModel</name>
@@ -27133,10 +27413,6 @@ Double-click to type the upper end.</source>
         <translation>从角上看</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>显示全部</translation>
-    </message>
-    <message>
         <source>Follow contact</source>
         <translation>跟随接触</translation>
     </message>
@@ -27197,10 +27473,6 @@ Double-click to type the upper end.</source>
         <translation>三角面 (*.stl)</translation>
     </message>
     <message>
-        <source>Back to the initial view: everything from a corner</source>
-        <translation>回到初始视角：从角上看全部内容</translation>
-    </message>
-    <message>
         <source>Keep the strongest contact in the middle, or the arm&apos;s hand while nothing is touched</source>
         <translation>使最强的接触保持在中央；未接触时则为机械臂的手部</translation>
     </message>
@@ -27211,6 +27483,14 @@ Double-click to type the upper end.</source>
     <message>
         <source>Look along with the tactile array: the camera moves and turns with the hand that carries it</source>
         <translation>随触觉阵列一起看：相机随携带它的手移动和转动</translation>
+    </message>
+    <message>
+        <source>Initial view</source>
+        <translation>初始视图</translation>
+    </message>
+    <message>
+        <source>Back to the view of the beginning, from a corner</source>
+        <translation>回到开始时的视图，从一角观看</translation>
     </message>
 </context>
 <context>
