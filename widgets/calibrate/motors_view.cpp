@@ -67,6 +67,9 @@ MotorsView::MotorsView(QWidget* parent)
     m_steps->addWidget(makeMeasuring());
     m_views->setDocumentMode(true);
     m_views->setTabBarAutoHide(true);
+    // Its tab bar takes the focus by itself: as its proxy it would keep the key Tab in the table.
+    m_views->setFocusProxy(nullptr);
+    m_views->setFocusPolicy(Qt::NoFocus);
     m_views->addTab(m_table, QString());
     auto* upper = new QSplitter(Qt::Horizontal, this);
     upper->setChildrenCollapsible(false);
