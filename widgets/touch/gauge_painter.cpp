@@ -106,8 +106,8 @@ private:
         const QFont reading = base::sized(m_font, base::kHugeText);
         const double room = m_layout.headline.width() - 0.5 * m_layout.em -
                             QFontMetricsF(reading).horizontalAdvance(GaugeTexts::headline(m_content));
-        for (const double size : {base::kLargeText, base::kTitleText}) {
-            const QFont candidate = base::sized(m_font, size);
+        for (const double scale : {base::kLargeText, base::kTitleText}) {
+            const QFont candidate = base::sized(m_font, scale);
             const QSizeF size = safetySignSize(candidate, safe);
             if (size.width() <= room && size.height() <= m_layout.headline.height())
                 return candidate;
