@@ -4779,7 +4779,7 @@ Exemples&#xa0;:
     </message>
     <message>
         <source>As in the published work: dense flow in a picture of 512 × 288, and the mean of the points that moved</source>
-        <translation>Comme dans les travaux publiés : flot dense dans une image de 512 × 288, et moyenne de ce qui s’y est déplacé</translation>
+        <translation>Comme dans les travaux publiés&#xa0;: flot dense dans une image de 512&#xa0;×&#xa0;288, et moyenne de ce qui s’y est déplacé</translation>
     </message>
     <message>
         <source>Each printed dot is followed in the whole picture. The default.</source>
