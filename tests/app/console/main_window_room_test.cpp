@@ -276,7 +276,7 @@ private slots:
             if (!seen.contains("jog"))
                 continue;
             const auto* gauge = child<touch::StiffnessGauge>();
-            QVERIFY2(QRectF(gauge->rect()).contains(gauge->layoutNow().sign), qPrintable(name));
+            QVERIFY2(QRectF(gauge->rect()).contains(gauge->layoutNow().headline), qPrintable(name));
             const QWidget& jog = *child<touch::JogPanel>();
             const auto* hold = jog.findChild<QWidget*>("deadMan");
             const QWidget& room = *jog.parentWidget()->parentWidget();
