@@ -26085,6 +26085,14 @@ Saisissez vos hypothèses à gauche, puis choisissez Planifier.</translation>
         <comment>letter of a pattern, its name</comment>
         <translation>%1 : %2</translation>
     </message>
+    <message>
+        <source>No results yet</source>
+        <translation>Pas encore de résultats</translation>
+    </message>
+    <message>
+        <source>Each task&apos;s confusion matrices, accuracy and response times appear here while test trials are completed.</source>
+        <translation>Les matrices de confusion, la précision et les temps de réponse de chaque tâche apparaissent ici à mesure que des essais de test sont terminés.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::SessionPanel</name>

@@ -26011,6 +26011,14 @@ Enter what you assume on the left, and choose Plan.</source>
         <comment>letter of a pattern, its name</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>No results yet</source>
+        <translation>結果はまだありません</translation>
+    </message>
+    <message>
+        <source>Each task&apos;s confusion matrices, accuracy and response times appear here while test trials are completed.</source>
+        <translation>本試行が完了するにつれて、各課題の混同行列、正答率、反応時間がここに表示されます。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::SessionPanel</name>

@@ -26011,6 +26011,14 @@ Enter what you assume on the left, and choose Plan.</source>
         <comment>letter of a pattern, its name</comment>
         <translation>%1：%2</translation>
     </message>
+    <message>
+        <source>No results yet</source>
+        <translation>尚无结果</translation>
+    </message>
+    <message>
+        <source>Each task&apos;s confusion matrices, accuracy and response times appear here while test trials are completed.</source>
+        <translation>随着正式试次的完成，每个任务的混淆矩阵、准确率和反应时间会显示在这里。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::study::SessionPanel</name>

@@ -243,7 +243,7 @@ int OperateDocks::neededHeight(Dock dock) const {
     const QWidget* form = m_docks[dock]->widget();
     if (const auto* room = qobject_cast<const QScrollArea*>(form))
         form = room->widget(); // the room itself limits and remembers what it would like
-    return form->sizeHint().height() + base::em(this, 2);
+    return form->sizeHint().height() + base::em(this, 2.5);
 }
 
 QDockWidget* OperateDocks::standing(std::initializer_list<Dock> docks) const {

@@ -108,6 +108,8 @@ ResultsView::ResultsView(QWidget* parent)
     m_tabs->addTab(m_comparisons, QString());
     m_tabs->setDocumentMode(true);
     layout->addWidget(m_tabs, 1);
+    makeNothing();
+    layout->addWidget(m_nothing, 1);
     for (FigurePage* page : {m_thresholds, m_tracks, m_detection})
         connect(page, &FigurePage::figureFailed, this, &ResultsView::figureFailed);
 
@@ -129,6 +131,22 @@ ResultsView::ResultsView(QWidget* parent)
     m_content->hide();
     base::keepTranslated(this, &ResultsView::retranslate);
     base::onChange(this, &ResultsView::showMark, {QEvent::PaletteChange});
+}
+
+void ResultsView::makeNothing() {
+    m_nothing = base::named<QWidget>("noResults", this);
+    m_nothingTitle = new QLabel(m_nothing);
+    m_nothingTitle->setFont(base::bold(base::sized(font(), base::kLargeText)));
+    m_nothingNote = new QLabel(m_nothing);
+    m_nothingNote->setWordWrap(true);
+    auto* column = new QVBoxLayout(m_nothing);
+    column->setSpacing(base::grid(this));
+    column->addStretch(1);
+    for (QLabel* label : {m_nothingTitle, m_nothingNote}) {
+        label->setAlignment(Qt::AlignCenter);
+        column->addWidget(label);
+    }
+    column->addStretch(1);
 }
 
 void ResultsView::setScene(ResultsScene scene) {
@@ -199,6 +217,8 @@ void ResultsView::refresh() {
     const TaskResults* results = chosen();
     const bool any = results != nullptr && !results->participants.empty();
     m_content->setVisible(any);
+    m_tabs->setVisible(any);
+    m_nothing->setVisible(!any);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
         widget->setEnabled(any);
     m_comparisons->setContent({any ? results : nullptr, any ? supplement() : nullptr, conditionNames(),
@@ -328,6 +348,10 @@ void ResultsView::showMark() {
 
 void ResultsView::retranslate() {
     showMark();
+    m_nothingTitle->setText(tr("No results yet"));
+    m_nothingNote->setText(
+        tr("Each task's confusion matrices, accuracy and response times appear here while test "
+           "trials are completed."));
     m_task->setAccessibleName(tr("Task"));
     m_who->setAccessibleName(tr("Participants shown"));
     m_who->setToolTip(tr("Tick one participant, or a group"));

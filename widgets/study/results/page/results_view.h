@@ -75,6 +75,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void makeNothing();
     void retranslate();
     void showMark();
     void fillChoices();
@@ -101,6 +102,9 @@ private:
     QLabel* m_mark = new QLabel(this); ///< of a pilot or a simulated study
     QWidget* m_content = new QWidget(this);
     QTabWidget* m_tabs = base::named<QTabWidget>("resultTabs", this);
+    QWidget* m_nothing; ///< in its place while there are no results
+    QLabel* m_nothingTitle;
+    QLabel* m_nothingNote;
     FigurePage* m_thresholds = new FigurePage(QStringLiteral("thresholds"), this);
     FigurePage* m_tracks = new FigurePage(QStringLiteral("tracks"), this);
     FigurePage* m_detection = new FigurePage(QStringLiteral("sdt"), this);
