@@ -78,6 +78,23 @@ class ResultsViewTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void saysWhatWillAppearWhileThereIsNothing() {
+        study::ResultsView view;
+        view.resize(900, 600);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const auto* nothing = view.findChild<QWidget*>("noResults");
+        const auto* tabs = view.findChild<QWidget*>("resultTabs");
+        view.setScene({});
+        QVERIFY(nothing->isVisible() && !tabs->isVisible());
+        study::ResultsScene scene;
+        scene.tasks = {results()};
+        view.setScene(scene);
+        QVERIFY(!nothing->isVisible() && tabs->isVisible());
+        view.setScene({});
+        QVERIFY(nothing->isVisible() && !tabs->isVisible());
+    }
+
     // Table of the specification, from R.
     void showsTheAnovaOfDataSetAToThePrintedDigits() {
         const study::TableContent table = ResultsContent::anova(results());
