@@ -6,6 +6,8 @@
 #include "widgets/view3d/marks/trail_part.h"
 #include "widgets/view3d/marks/wrench_part.h"
 
+#include <vtkCommand.h>
+
 namespace teleta::view3d {
 
 /// What is drawn into a scene beside the things themselves: once for each picture, just before it is
