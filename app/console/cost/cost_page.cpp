@@ -32,8 +32,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace teleta::console {
@@ -42,6 +42,9 @@ namespace {
 
 constexpr char kCameraLadder[] = "contact-flow";
 constexpr double kUsualBudget_ms = 8.0;
+
+/// Of an item that is a heading.
+constexpr int kTopicRole = Qt::UserRole + 1;
 
 enum Column {
     rungColumn,
@@ -204,22 +207,23 @@ QWidget* CostPage::makeLadderColumn() {
     m_progress->setTextVisible(false);
     m_progressText = wrapped(column);
     // Those of a topic below its heading, in the order in which each topic is first met.
-    std::vector<std::string> names;
+    std::vector<const cost::Ladder*> left;
     for (const cost::Ladder& ladder : m_measuring->ladders())
-        names.push_back(ladder.name);
-    while (!names.empty()) {
-        const QString topic = CostWords::topic(names.front());
-        if (!topic.isEmpty()) {
+        left.push_back(&ladder);
+    while (!left.empty()) {
+        const std::optional<cost::Topic> topic = left.front()->topic;
+        if (topic) {
             auto* head = new QListWidgetItem(m_list);
             head->setFlags(Qt::NoItemFlags);
             head->setFont(base::bold(m_list->font()));
             head->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+            head->setData(kTopicRole, static_cast<int>(*topic));
         }
-        std::erase_if(names, [&](const std::string& name) {
-            if (CostWords::topic(name) != topic)
+        std::erase_if(left, [&](const cost::Ladder* ladder) {
+            if (ladder->topic != topic)
                 return false;
             auto* item = new QListWidgetItem(m_list);
-            item->setData(Qt::UserRole, QString::fromStdString(name));
+            item->setData(Qt::UserRole, QString::fromStdString(ladder->name));
             return true;
         });
     }
@@ -323,19 +327,16 @@ QString CostPage::cameraJob() const {
 }
 
 void CostPage::showLadders() {
-    QListWidgetItem* head = nullptr;
     for (int row = 0; row < m_list->count(); ++row) {
         QListWidgetItem* item = m_list->item(row);
-        const std::string name = item->data(Qt::UserRole).toString().toStdString();
-        if (name.empty()) {
-            head = item;
+        if (const QVariant topic = item->data(kTopicRole); topic.isValid()) {
+            item->setText(CostWords::topic(static_cast<cost::Topic>(topic.toInt())));
             continue;
         }
+        const std::string name = item->data(Qt::UserRole).toString().toStdString();
         const auto ladder = std::ranges::find(m_measuring->ladders(), name, &cost::Ladder::name);
         if (ladder == m_measuring->ladders().end())
             continue;
-        if (head != nullptr)
-            std::exchange(head, nullptr)->setText(CostWords::topic(name));
         const QString title = QString::fromStdString(ladder->title);
         const QString times = timesOf(m_measuring->costOf(name));
         item->setText(times.isEmpty() ? title : title + QLatin1Char('\n') + times);

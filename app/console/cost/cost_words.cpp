@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
 
 namespace teleta::console {
 
@@ -26,24 +24,20 @@ QString factorText(double factor) {
 
 } // namespace
 
-QString CostWords::topic(const std::string& ladder) {
-    static const std::map<std::string, const char*> kTopics{
-        {"contact-flow", QT_TR_NOOP("Camera")},
-        {"camera-calibration", QT_TR_NOOP("Camera")},
-        {"undistortion", QT_TR_NOOP("Camera")},
-        {"gel-markers", QT_TR_NOOP("Camera")},
-        {"tactile-features", QT_TR_NOOP("Tactile array")},
-        {"skin-contacts", QT_TR_NOOP("Tactile array")},
-        {"taxel-gains", QT_TR_NOOP("Tactile array")},
-        {"contour", QT_TR_NOOP("Touched object")},
-        {"stiffness", QT_TR_NOOP("Touched object")},
-        {"simulation-step", QT_TR_NOOP("Simulation")},
-        {"scene-effects", QT_TR_NOOP("Simulation")},
-        {"statistics", QT_TR_NOOP("Study")},
-        {"psychometric-fit", QT_TR_NOOP("Study")},
-    };
-    const auto found = kTopics.find(ladder);
-    return found == kTopics.end() ? QString() : tr(found->second);
+QString CostWords::topic(cost::Topic topic) {
+    switch (topic) {
+    case cost::Topic::camera:
+        return tr("Camera");
+    case cost::Topic::tactileArray:
+        return tr("Tactile array");
+    case cost::Topic::touchedObject:
+        return tr("Touched object");
+    case cost::Topic::simulation:
+        return tr("Simulation");
+    case cost::Topic::study:
+        return tr("Study");
+    }
+    return {};
 }
 
 QString CostWords::quantity(double value, const QString& unit) {

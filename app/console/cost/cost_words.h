@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend/cost/cost_result.h"
+#include "backend/cost/ladder.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -12,8 +13,8 @@ namespace teleta::console {
 class CostWords {
     Q_DECLARE_TR_FUNCTIONS(CostWords)
 public:
-    /// Heading under which a job is listed; empty for one that no heading fits.
-    [[nodiscard]] static QString topic(const std::string& ladder);
+    /// Heading of the jobs of a topic.
+    [[nodiscard]] static QString topic(cost::Topic topic);
 
     /// A measured value with its unit; "1" is a share and shown in percent.
     [[nodiscard]] static QString quantity(double value, const QString& unit);

@@ -63,6 +63,7 @@ void compareOnTube(const vision::CameraParameters& truth, const vision::Cylinder
 Ladder cameraCalibrationLadder() {
     Ladder ladder;
     ladder.name = "camera-calibration";
+    ladder.topic = Topic::camera;
     ladder.title = LadderText::tr("Calibration of the camera in the tube").toStdString();
     ladder.truth =
         LadderText::tr("distance of located points of the tube from the true ones; where the calibration "

@@ -90,6 +90,7 @@ std::string flowParameter(const vision::ContactRung& rung) {
 Ladder contactFlowLadder() {
     Ladder ladder;
     ladder.name = "contact-flow";
+    ladder.topic = Topic::camera;
     ladder.title = LadderText::tr("Contacts in a camera frame").toStdString();
     ladder.truth =
         LadderText::tr("distance from the true contact on the tube; a contact that is missed counts with "

@@ -124,6 +124,7 @@ Rung contourRung(contour::SplineKind kind, std::size_t points,
 Ladder contourLadder() {
     Ladder ladder;
     ladder.name = "contour";
+    ladder.topic = Topic::touchedObject;
     ladder.title = LadderText::tr("Curve through contact points").toStdString();
     ladder.truth =
         LadderText::tr("distance of the true outline (circle, rectangle, bent profile) from the curve")

@@ -139,6 +139,7 @@ core::Expected<Rung> followedRung(std::string name, std::string parameter,
 Ladder gelMarkersLadder() {
     Ladder ladder;
     ladder.name = "gel-markers";
+    ladder.topic = Topic::camera;
     ladder.title = LadderText::tr("Motion of the markers of a gel").toStdString();
     ladder.truth =
         LadderText::tr("distance from the way that the marker was drawn to have gone; a marker that is "

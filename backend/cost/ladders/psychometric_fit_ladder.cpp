@@ -114,6 +114,7 @@ Rung fitRung(std::string name, std::string parameter,
 Ladder psychometricFitLadder() {
     Ladder ladder;
     ladder.name = "psychometric-fit";
+    ladder.topic = Topic::study;
     ladder.title = LadderText::tr("Interval of a threshold from a participant's answers").toStdString();
     ladder.truth =
         LadderText::tr(

@@ -89,6 +89,7 @@ core::Expected<Rung> effectRung(const std::string& name, const std::string& para
 Ladder sceneEffectsLadder() {
     Ladder ladder;
     ladder.name = "scene-effects";
+    ladder.topic = Topic::simulation;
     ladder.title =
         LadderText::tr("A frame of a simulated array without one of the sensor's effects").toStdString();
     ladder.truth =

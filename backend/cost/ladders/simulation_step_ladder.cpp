@@ -111,6 +111,7 @@ Rung stepRung(double step_ms, bool implicit, const std::shared_ptr<const TorqueT
 Ladder simulationStepLadder() {
     Ladder ladder;
     ladder.name = "simulation-step";
+    ladder.topic = Topic::simulation;
     ladder.title = LadderText::tr("10 ms of an arm that touches rubber").toStdString();
     ladder.truth = LadderText::tr("largest difference of a joint's torque from a solution with steps of 2 us")
                        .toStdString();

@@ -131,6 +131,7 @@ Rung skinRung(std::string name, std::string parameter,
 Ladder skinContactsLadder() {
     Ladder ladder;
     ladder.name = "skin-contacts";
+    ladder.topic = Topic::tactileArray;
     ladder.title = LadderText::tr("Contacts on the skin of a whole body").toStdString();
     ladder.truth =
         LadderText::tr(

@@ -93,6 +93,7 @@ Rung intervalRung(std::string name, std::string parameter, std::size_t calls,
 Ladder statisticsLadder() {
     Ladder ladder;
     ladder.name = "statistics";
+    ladder.topic = Topic::study;
     ladder.title = LadderText::tr("Interval of the information transfer of a study").toStdString();
     ladder.truth =
         LadderText::tr("score of the 95 % interval: its width, and 40 times how far the true transfer lies "

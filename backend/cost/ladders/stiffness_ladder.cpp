@@ -80,6 +80,7 @@ Rung stiffnessRung(stiffness::Method method, std::size_t samples) {
 Ladder stiffnessLadder() {
     Ladder ladder;
     ladder.name = "stiffness";
+    ladder.topic = Topic::touchedObject;
     ladder.title = LadderText::tr("Stiffness of a touched object").toStdString();
     ladder.truth = LadderText::tr("share of the true stiffness of the object; a bound counts as the value, a "
                                   "refused touch as 1")

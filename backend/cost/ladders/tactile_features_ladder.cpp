@@ -85,6 +85,7 @@ Rung featureRung(
 Ladder tactileFeaturesLadder() {
     Ladder ladder;
     ladder.name = "tactile-features";
+    ladder.topic = Topic::tactileArray;
     ladder.title = LadderText::tr("Place of a contact on a tactile array").toStdString();
     ladder.truth = LadderText::tr("distance from the lowest point of the ball that presses").toStdString();
     ladder.errorUnit = "m";

@@ -107,6 +107,7 @@ std::vector<double> robustGains(const std::vector<float>& frames) {
 Ladder taxelGainsLadder() {
     Ladder ladder;
     ladder.name = "taxel-gains";
+    ladder.topic = Topic::tactileArray;
     ladder.title = LadderText::tr("Gains of an array's taxels from a press").toStdString();
     ladder.truth =
         LadderText::tr(

@@ -65,6 +65,7 @@ Rung undistortionRung(std::string name, std::string parameter,
 Ladder undistortionLadder() {
     Ladder ladder;
     ladder.name = "undistortion";
+    ladder.topic = Topic::camera;
     ladder.title = LadderText::tr("Direction in which a pixel of the wide lens looks").toStdString();
     ladder.truth = LadderText::tr("angle from the direction of the point of the tube that the pixel shows")
                        .toStdString();

@@ -65,6 +65,7 @@ TEST(Ladders, haveNamesOfTheirOwnAndAtLeastTwoRungs) {
     for (const Ladder& ladder : allLadders()) {
         EXPECT_TRUE(names.insert(ladder.name).second) << ladder.name;
         EXPECT_FALSE(ladder.title.empty() || ladder.truth.empty() || ladder.errorUnit.empty());
+        EXPECT_TRUE(ladder.topic) << ladder.name;
         EXPECT_GE(ladder.trials, kFewestTrials);
     }
 }

@@ -28,6 +28,7 @@
 #include <atomic>
 #include <limits>
 #include <memory>
+#include <optional>
 
 using namespace teleta;
 using console::CostPage;
@@ -205,8 +206,13 @@ private slots:
     }
 
     void jobsOfOneTopicStandBelowItsHeadingAndTheKeysPassItOver() {
-        open({quickLadder("contact-flow"), quickLadder("stiffness"), quickLadder("undistortion"),
-              quickLadder("of-another-program")});
+        const auto of = [](std::optional<cost::Topic> topic, const char* name) {
+            cost::Ladder ladder = quickLadder(name);
+            ladder.topic = topic;
+            return ladder;
+        };
+        open({of(cost::Topic::camera, "contact-flow"), of(cost::Topic::touchedObject, "stiffness"),
+              of(cost::Topic::camera, "undistortion"), of(std::nullopt, "of-another-program")});
         auto& list = part<QListWidget>("ladders");
         QStringList rows;
         for (int row = 0; row < list.count(); ++row)
