@@ -25,6 +25,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <functional>
 
 using namespace teleta;
 using console::ConsoleOptions;
@@ -68,6 +69,32 @@ class MainWindowRoomTest : public QObject, protected test::WindowBench {
         return item != nullptr && item->displayed > 0;
     }
 
+    /// Checks in each language, the last one first, until a check fails.
+    void inEachLanguage(const std::function<void(const QString& name)>& check) {
+        // The menus are made anew in each language.
+        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
+        for (auto i = languages().size() - 1; i >= 0 && !QTest::currentTestFailed(); --i) {
+            if (languages()[i]->isSeparator())
+                continue;
+            const QString name = languages()[i]->text();
+            languages()[i]->trigger();
+            QCoreApplication::processEvents();
+            check(name);
+        }
+        languages().front()->trigger();
+    }
+
+    bool isInWindow(const QWidget* widget) const {
+        return m_window->rect().contains(QRect(widget->mapTo(m_window.get(), QPoint()), widget->size()));
+    }
+    bool isWhole(const QWidget* widget) const { return widget->isVisible() && isInWindow(widget); }
+
+    bool operatePageFits() const {
+        const auto& page = m_window->operatePage();
+        const QSize room = page.parentWidget()->size();
+        return page.width() <= room.width() && page.height() <= room.height();
+    }
+
 private slots:
     void initTestCase() {
         base::applyTheme(base::ThemeChoice::light);
@@ -90,14 +117,7 @@ private slots:
         if (!scene.isEmpty())
             QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
         auto* stop = child<chrome::StopButton>();
-        const auto count = m_window->findChild<QMenu*>("languages")->actions().size();
-        for (auto i = count - 1; i >= 0; --i) {
-            // The menus are made anew in each language.
-            QAction* language = m_window->findChild<QMenu*>("languages")->actions()[i];
-            if (language->isSeparator())
-                continue;
-            const QString name = language->text();
-            language->trigger();
+        inEachLanguage([&](const QString& name) {
             m_window->activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
             QStringList pages;
@@ -117,32 +137,22 @@ private slots:
                     });
                 };
                 QTRY_VERIFY2(!scrolls(), qPrintable(where));
-                QVERIFY2(
-                    m_window->rect().contains(QRect(stop->mapTo(m_window.get(), QPoint()), stop->size())),
-                    qPrintable(where));
+                QVERIFY2(isWhole(stop), qPrintable(where));
             }
             QCOMPARE(pages, console::pageNames());
-        }
-        m_window->findChild<QMenu*>("languages")->actions().front()->trigger();
+        });
     }
 
     void everyDemoIsSeenOnTheStartPageAtTheUsualSize() {
         openWindow();
-        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
-        for (auto i = languages().size() - 1; i >= 0; --i) {
-            if (languages()[i]->isSeparator())
-                continue;
-            const QString name = languages()[i]->text();
-            languages()[i]->trigger();
-            QCoreApplication::processEvents();
+        inEachLanguage([&](const QString& name) {
             const auto* demos = child<chrome::DemoList>();
-            const auto isWhole = [demos] {
+            const auto isSeen = [demos] {
                 return demos->height() >= demos->sizeHint().height() &&
                        !demos->verticalScrollBar()->isVisible();
             };
-            QTRY_VERIFY2(isWhole(), qPrintable(name));
-        }
-        languages().front()->trigger();
+            QTRY_VERIFY2(isSeen(), qPrintable(name));
+        });
     }
 
     void theCardsKeepTheirDescriptionsBesideTheLastSession() {
@@ -159,22 +169,13 @@ private slots:
         ConsoleOptions options;
         options.size = kSmallScreen;
         openWindow(options);
-        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
-        for (auto i = languages().size() - 1; i >= 0; --i) {
-            if (languages()[i]->isSeparator())
-                continue;
-            const QString name = languages()[i]->text();
-            languages()[i]->trigger();
-            QCoreApplication::processEvents();
+        inEachLanguage([&](const QString& name) {
             const auto* demos = child<chrome::DemoList>();
             QVERIFY(child<chrome::FirstSteps>()->isVisible());
             QTRY_VERIFY2(!demos->verticalScrollBar()->isVisible(), qPrintable(name));
             for (const auto* card : m_window->findChildren<chrome::DemoCard*>())
-                QVERIFY2(
-                    m_window->rect().contains(QRect(card->mapTo(m_window.get(), QPoint()), card->size())),
-                    qPrintable(name + ": " + card->text()));
-        }
-        languages().front()->trigger();
+                QVERIFY2(isInWindow(card), qPrintable(name + ": " + card->text()));
+        });
     }
 
     void withRecentFilesTheStartPageIsWholeOnAScaledScreen() {
@@ -212,24 +213,10 @@ private slots:
         openWindow(options);
         if (!scene.isEmpty())
             QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
-        auto& page = m_window->operatePage();
         // No scene has one: its charts have a strip more.
         if (QLatin1String(QTest::currentDataTag()) == QLatin1String("array of vectors"))
             child<charts::StripChartView>()->setVectors(true);
-        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
-        for (auto i = languages().size() - 1; i >= 0; --i) {
-            if (languages()[i]->isSeparator())
-                continue;
-            const QString name = languages()[i]->text();
-            languages()[i]->trigger();
-            QCoreApplication::processEvents();
-            const auto fits = [&page] {
-                const QSize room = page.parentWidget()->size();
-                return page.width() <= room.width() && page.height() <= room.height();
-            };
-            QTRY_VERIFY2(fits(), qPrintable(name));
-        }
-        languages().front()->trigger();
+        inEachLanguage([&](const QString& name) { QTRY_VERIFY2(operatePageFits(), qPrintable(name)); });
     }
 
     void aSmallWindowShowsWhatMatters_data() {
@@ -254,27 +241,13 @@ private slots:
         options.scenes = {scene};
         openWindow(options);
         QTRY_VERIFY_WITH_TIMEOUT(showsData(), 60'000);
-        auto& page = m_window->operatePage();
-        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
-        const auto isWhole = [this](const QWidget* widget) {
-            return widget->isVisible() &&
-                   m_window->rect().contains(QRect(widget->mapTo(m_window.get(), QPoint()), widget->size()));
-        };
-        for (auto i = languages().size() - 1; i >= 0; --i) {
-            if (languages()[i]->isSeparator())
-                continue;
-            const QString name = languages()[i]->text();
-            languages()[i]->trigger();
-            const auto fits = [&page] {
-                const QSize room = page.parentWidget()->size();
-                return page.width() <= room.width() && page.height() <= room.height();
-            };
-            QTRY_VERIFY2(fits(), qPrintable(name));
+        inEachLanguage([&](const QString& name) {
+            QTRY_VERIFY2(operatePageFits(), qPrintable(name));
             for (const QString& view : seen)
                 QTRY_VERIFY2(isWhole(m_window->findChild<QDockWidget*>(view)), qPrintable(name + ' ' + view));
             QVERIFY2(isWhole(child<chrome::StopButton>()), qPrintable(name));
             if (!seen.contains("jog"))
-                continue;
+                return;
             const auto* gauge = child<touch::StiffnessGauge>();
             QVERIFY2(QRectF(gauge->rect()).contains(gauge->layoutNow().headline), qPrintable(name));
             const QWidget& jog = *child<touch::JogPanel>();
@@ -282,8 +255,7 @@ private slots:
             const QWidget& room = *jog.parentWidget()->parentWidget();
             QVERIFY2(room.rect().contains(QRect(hold->mapTo(&room, QPoint()), hold->size())),
                      qPrintable(name));
-        }
-        languages().front()->trigger();
+        });
     }
 
     void whatWasClosedStaysClosedInASmallWindow() {
@@ -317,19 +289,13 @@ private slots:
         options.scenes = {QStringLiteral(":/scenes/teleta-touch.toml")};
         openWindow(options);
         QTRY_VERIFY_WITH_TIMEOUT(showsData(), 20'000);
-        const auto languages = [this] { return m_window->findChild<QMenu*>("languages")->actions(); };
-        for (auto i = languages().size() - 1; i >= 0; --i) {
-            if (languages()[i]->isSeparator())
-                continue;
-            const QString name = languages()[i]->text();
-            languages()[i]->trigger();
+        inEachLanguage([&](const QString& name) {
             const QWidget& jog = *child<touch::JogPanel>();
             const auto fits = [&jog] {
                 return jog.parentWidget()->parentWidget()->height() >= jog.parentWidget()->height();
             };
             QTRY_VERIFY2(fits(), qPrintable(name));
-        }
-        languages().front()->trigger();
+        });
     }
 
     void theDocksOfAnArmKeepTheirShares_data() {
