@@ -299,11 +299,11 @@ void PlotPage::showSignals() {
     }
     m_table->setRows(rows);
     m_plot->setCurves(std::move(curves));
-    m_plot->setProvenance(m_signals->provenance());
-    auto badge = m_badges.begin();
-    for (const base::Provenance provenance : m_signals->provenances())
-        (*badge++)->setProvenance(provenance);
-    std::for_each(badge, m_badges.end(), [](auto* free) { free->setProvenance(base::Provenance::live); });
+    std::vector<base::Provenance> provenances = m_signals->provenances();
+    provenances.resize(m_badges.size(), base::Provenance::live);
+    m_plot->setProvenance(provenances.front());
+    for (std::size_t i = 0; i < m_badges.size(); ++i)
+        m_badges[i]->setProvenance(provenances[i]);
     const bool has = !rows.empty();
     if (has && !std::exchange(m_hadSignals, true)) {
         m_plot->setRange(-kUsualSpan_s, 0.0);

@@ -106,7 +106,7 @@ private:
     QToolButton* m_layoutsButton;
     QToolButton* m_saveButton;
     QMenu* m_saveMenu;
-    std::array<base::ProvenanceBadge*, 4> m_badges{}; ///< of what is shown, the strongest first
+    std::array<base::ProvenanceBadge*, 4> m_badges{}; ///< what counts for most first
     QWidget* m_status;
     QLabel* m_state;
     QStackedWidget* m_stack;

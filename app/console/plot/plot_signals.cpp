@@ -6,8 +6,10 @@
 #include "widgets/signal/unit_text.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace teleta::console {
@@ -114,19 +116,12 @@ void PlotSignals::cancelReading() {
         emit changed(); // what was removed last can still be brought back
 }
 
-base::Provenance PlotSignals::provenance() const {
-    auto strongest = base::Provenance::live;
-    for (const Shown& each : m_shown)
-        strongest = std::max(strongest, each.provenance);
-    return strongest;
-}
-
-std::set<base::Provenance, std::greater<>> PlotSignals::provenances() const {
+std::vector<base::Provenance> PlotSignals::provenances() const {
     std::set<base::Provenance, std::greater<>> all;
     for (const Shown& each : m_shown)
         if (each.provenance != base::Provenance::live)
             all.insert(each.provenance);
-    return all;
+    return {all.begin(), all.end()};
 }
 
 void PlotSignals::setClockTime(bool clock) {

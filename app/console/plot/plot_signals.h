@@ -13,7 +13,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -64,10 +63,8 @@ public:
     void undoRemove();
     /// Ends the readings and removes the signals that are not there yet; undoRemove() reads them again.
     void cancelReading();
-    /// Of all that is shown: simulated as soon as one of them is, else recorded as soon as one is.
-    [[nodiscard]] base::Provenance provenance() const;
-    /// Each that something shown has, but for live, the strongest first.
-    [[nodiscard]] std::set<base::Provenance, std::greater<>> provenances() const;
+    /// Where the shown signals come from, without live ones: each once, what counts for most first.
+    [[nodiscard]] std::vector<base::Provenance> provenances() const;
     /// Times are clock times instead of those since the start of each source.
     void setClockTime(bool clock);
     /// From the time of a signal's series to the time that is shown.
