@@ -172,6 +172,8 @@ void HeatmapView::setEmptyText(const QString& text) {
 }
 
 void HeatmapView::setProvenance(base::Provenance provenance) {
+    if (m_content.provenance == provenance)
+        return;
     base::showProvenance(this, provenance);
     m_content.provenance = provenance;
     update();
