@@ -335,13 +335,14 @@ core::Expected<void> Scene3dView::saveGeometry(const QString& path) const {
 }
 
 bool Scene3dView::event(QEvent* event) {
-    if (event->type() != QEvent::ToolTip)
-        return QWidget::event(event);
-    const auto* help = static_cast<QHelpEvent*>(event);
-    const QPoint place = m_parts->vtk->mapFromGlobal(help->globalPos());
-    const QString text = wordsAt(m_parts->scene, m_parts->pointAt(place));
-    text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
-    return true;
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const QPoint place = m_parts->vtk->mapFromGlobal(help->globalPos());
+        const QString text = wordsAt(m_parts->scene, m_parts->pointAt(place));
+        text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void Scene3dView::applyPalette() {

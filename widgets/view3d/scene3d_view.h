@@ -94,8 +94,7 @@ public:
     /// one a contact, see GelPart.
     void setGel(const pipeline::GelSnapshot* snapshot, double enlargement, std::span<const GelWords> words);
 
-    /// Around what the view shows first, and whenever it shows everything, instead of all that there is, in
-    /// the world frame; empty: all.
+    /// A box in the world frame: the view begins with it, and Home goes back to it. Empty: the whole scene.
     void setSubject(const Eigen::AlignedBox3d& box_m);
     void look(CameraPreset preset);
     [[nodiscard]] const Orbit& orbit() const;

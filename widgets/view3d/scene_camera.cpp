@@ -173,22 +173,22 @@ void SceneCamera::apply() {
     const Eigen::Vector3d position_m = focal_m + m_distance_m * direction();
     const Eigen::Vector3d up = this->up();
     vtkCamera* camera = m_renderer->GetActiveCamera();
+    const vtkMTimeType before = camera->GetMTime();
     camera->SetViewAngle(kViewAngle_rad * 180.0 / std::numbers::pi);
     camera->SetFocalPoint(focal_m.x(), focal_m.y(), focal_m.z());
     camera->SetPosition(position_m.x(), position_m.y(), position_m.z());
     camera->SetViewUp(up.x(), up.y(), up.z());
     camera->SetParallelProjection(m_parallel);
     camera->SetParallelScale(0.5 * visibleHeight_m());
+    const bool hasChanged = camera->GetMTime() != before;
     // Planes around the scene and its ground, which is larger; loads and arrows stay inside.
     double radius_m = kLeastRadius_m;
     for (const Eigen::Vector3d& corner : m_corners_m)
         radius_m = std::max(radius_m, (corner - focal_m).norm());
     const double far_m = m_distance_m + 4.0 * radius_m;
     camera->SetClippingRange(std::max(m_distance_m - 4.0 * radius_m, kNearest * far_m), far_m);
-    const Standing standing{focal_m, position_m, up, visibleHeight_m(), m_parallel};
-    if (standing == std::exchange(m_standing, standing) || !m_changed)
-        return;
-    m_changed();
+    if (hasChanged && m_changed)
+        m_changed();
 }
 
 vtkStandardNewMacro(OrbitStyle);

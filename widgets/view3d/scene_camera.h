@@ -28,9 +28,9 @@ public:
     /// Called after every change of what it sees.
     void onChange(std::function<void()> changed) { m_changed = std::move(changed); }
 
-    /// Corners of all that there is. refit: fits the camera again, unless the user moved it.
+    /// Corners of the whole scene. refit: fits the camera again, unless the user moved it.
     void setScene(std::vector<Eigen::Vector3d> corners_m, bool refit);
-    /// Around what is looked at in the end, to which the camera is fitted; empty: all that there is.
+    /// A box around what matters, to which the camera is fitted; empty: the whole scene.
     void setSubject(const Eigen::AlignedBox3d& box_m);
     /// width/height of the picture; keeps the fit.
     void setAspect(double aspect);
@@ -64,17 +64,6 @@ public:
     [[nodiscard]] double visibleHeight_m() const;
 
 private:
-    /// What decides what the camera sees, in the world.
-    struct Standing {
-        Eigen::Vector3d focal_m = Eigen::Vector3d::Zero();
-        Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-        Eigen::Vector3d up = Eigen::Vector3d::Zero();
-        double visibleHeight_m = 0.0;
-        bool parallel = false;
-
-        bool operator==(const Standing&) const = default;
-    };
-
     /// refit: fits the camera again, unless the user moved it.
     void update(bool refit);
     void fit();
@@ -102,7 +91,6 @@ private:
     double m_aspect = 1.0;
     bool m_parallel = false;
     bool m_fitted = true;
-    Standing m_standing;
 };
 
 /// Mouse: left turns, middle or Shift+left moves, right or wheel zooms.
