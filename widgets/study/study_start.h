@@ -6,7 +6,6 @@
 #include <QScrollArea>
 #include <QString>
 
-#include <array>
 #include <optional>
 
 class QGridLayout;

@@ -128,7 +128,6 @@ ResultsView::ResultsView(QWidget* parent)
     connect(m_comparisons, &ComparisonsView::figureFailed, this, &ResultsView::figureFailed);
     connect(m_bracelet, &BraceletView::figureFailed, this, &ResultsView::figureFailed);
     connect(m_bracelet, &BraceletView::useRequested, this, &ResultsView::useRequested);
-    m_content->hide();
     base::keepTranslated(this, &ResultsView::retranslate);
     base::onChange(this, &ResultsView::showMark, {QEvent::PaletteChange});
 }
@@ -216,7 +215,6 @@ void ResultsView::fillChoices() {
 void ResultsView::refresh() {
     const TaskResults* results = chosen();
     const bool any = results != nullptr && !results->participants.empty();
-    m_content->setVisible(any);
     m_tabs->setVisible(any);
     m_nothing->setVisible(!any);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_task, m_who, m_beside, m_counts, m_export})
