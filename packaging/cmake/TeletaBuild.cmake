@@ -50,7 +50,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     target_compile_options(teleta_options INTERFACE -Wno-restrict)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # GCC looks for garbage again and again from 128 MB on, which takes a tenth of its time.
+    # By default GCC collects garbage from 128 MB on, which takes about a tenth of its time.
     target_compile_options(teleta_options INTERFACE "SHELL:--param ggc-min-heapsize=524288")
 endif()
 target_link_libraries(teleta_options INTERFACE Threads::Threads)
@@ -201,7 +201,7 @@ function(teleta_add_modules)
     endforeach()
 endfunction()
 
-# What takes the time of the programs is in the backend and the devices, which have -O3. The rest is compiled more quickly.
+# The programs spend their time in the backend and the devices, which keep -O3. The rest is optimized less, and compiles faster.
 add_library(teleta_gui_options INTERFACE)
 add_library(teleta_quick_options INTERFACE)
 if(NOT TELETA_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -269,8 +269,8 @@ function(teleta_links_widgets used libraries variable)
 endfunction()
 
 # teleta_moc(TARGET a.cpp a.h ...)
-# Runs moc on all headers among these, and compiles what it makes as one source. AUTOMOC takes many times as long, because it
-# and moc read every header that is included, too, and because it keeps what it makes out of a unity build.
+# Runs moc on all headers among these, and compiles its output as one source. AUTOMOC takes many times as long: it and moc also
+# read every header that these include, and it keeps the output out of a unity build.
 function(teleta_moc name)
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/moc")
     set(made "")
@@ -337,7 +337,7 @@ function(teleta_library)
     endif()
     target_link_libraries(${name} ${access} teleta_options ${used} ${libraries})
     if(options)
-        target_link_libraries(${name} PRIVATE ${options}) # last, so that they count
+        target_link_libraries(${name} PRIVATE ${options}) # last, so that they override the others
     endif()
 endfunction()
 
@@ -433,7 +433,7 @@ function(teleta_gui_test name)
         set(ARG_TIMEOUT 600)
     endif()
     add_executable(${name} ${ARG_SOURCES})
-    # A test includes what moc makes of it. AUTOMOC takes many times as long, because it and moc read every header, too.
+    # A test includes the output of moc. teleta_moc() says why AUTOMOC does not run it.
     set(moc_folder "${CMAKE_CURRENT_BINARY_DIR}/${name}_moc")
     file(MAKE_DIRECTORY "${moc_folder}")
     foreach(source IN LISTS ARG_SOURCES)

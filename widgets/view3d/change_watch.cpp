@@ -29,8 +29,6 @@ void addShares(std::vector<float>& shares, const Eigen::Vector3d& vector, double
         shares.push_back(static_cast<float>(value / range));
 }
 
-} // namespace
-
 MovingState movingStateOf(const TouchScene& scene, const SceneMarks& marks) {
     MovingState state;
     for (const ArmLink& link : scene.armLinks())
@@ -56,6 +54,8 @@ MovingState movingStateOf(const TouchScene& scene, const SceneMarks& marks) {
         addShares(state.shares, *moment_Nm, marks.wrench.momentRange_Nm());
     return state;
 }
+
+} // namespace
 
 MovingView movingView(const TouchScene& scene, const SceneMarks& marks, const SceneCamera& camera,
                       const QWidget& widget) {

@@ -25,25 +25,22 @@ struct MovingState {
 
 struct MovingView {
     MovingState state;
-    double pixelsPerMetre = 0.0;
+    double pixelsPerMetre = 0.0; ///< where the camera looks
 };
 
-/// Links, robot, array, contacts, loads, forces and trail of a scene. The loads are those that were drawn
-/// last.
-[[nodiscard]] MovingState movingStateOf(const TouchScene& scene, const SceneMarks& marks);
-
-/// That state, and how many pixels of the widget's screen a metre has where the camera looks.
+/// Links, robot, array, contacts, forces and trail as they are, and the loads as of the last
+/// TouchScene::draw(), in the picture of a widget. Thread: GUI.
 [[nodiscard]] MovingView movingView(const TouchScene& scene, const SceneMarks& marks,
                                     const SceneCamera& camera, const QWidget& widget);
 
-/// Whether a change from one state to another is seen: a point moved half a pixel, a load changed by more
-/// than noise and a hundredth of its range, an arrow by a hundredth, or other things are there.
-/// pixelsPerMetre: of the picture, where the scene is. Thread: any (pure).
+/// Whether a change from one state to another can be seen: a point moved by half a pixel, a load changed by
+/// more than noise and a hundredth of its range, an arrow by a hundredth, or other things are there. Thread:
+/// any (pure).
 [[nodiscard]] bool isSeen(const MovingState& before, const MovingState& now, double pixelsPerMetre);
 
-/// Asks for a picture when the data have changed so that it is seen, and otherwise within kLongest_ms: an arm
-/// that creeps needs no picture a frame. Compares with the state at the last picture that it asked for.
-/// Thread: GUI.
+/// Asks for a picture as soon as a change of the data can be seen, and within kLongest_ms if it cannot: a
+/// frame in which an arm creeps by a tenth of a pixel is not worth drawing. Compares with the state at the
+/// last picture that it asked for. Thread: GUI.
 class ChangeWatch {
 public:
     static constexpr int kLongest_ms = 200;
@@ -51,8 +48,8 @@ public:
     /// look: the view as it would be drawn now. ask: for a picture.
     ChangeWatch(std::function<MovingView()> look, std::function<void()> ask);
 
-    /// Some data changed. Looks at them once when this thread is back in its event loop, so that all that
-    /// changes together is seen together.
+    /// Some data changed. They are compared when this thread is back in its event loop: once for all that
+    /// changed together.
     void dataChanged();
 
 private:
@@ -62,8 +59,8 @@ private:
     std::function<MovingView()> m_look;
     std::function<void()> m_ask;
     MovingState m_drawn;
-    QTimer m_comparison; ///< with the event loop
-    QTimer m_latest;     ///< for changes that are not seen
+    QTimer m_comparison; ///< runs until the thread is back in its event loop
+    QTimer m_latest;     ///< runs while a change that cannot be seen is waiting
 };
 
 } // namespace teleta::view3d

@@ -37,7 +37,8 @@ public:
 
     /// Draws again when RenderQueue gives it a turn.
     void requestRender();
-    /// The scene differs from the last frame by what is not worth a turn: only pictures of it show that.
+    /// The scene has changed by too little to be worth a frame on the screen. A picture that is saved shows
+    /// it.
     void noteChange() { m_changed = true; }
     void setOverlay(Overlay overlay) { m_overlay = std::move(overlay); }
     /// Draws the scene again at `scale` times the widget's device pixels.
@@ -96,7 +97,7 @@ private:
     QTimer m_lookAgain;
     QSize m_size;
     double m_pixelScale = 0.0;
-    bool m_changed = false; ///< since the last frame, so that it is stale or nearly so
+    bool m_changed = false; ///< since the last frame was started, however little
     std::uint64_t m_framesRendered = 0;
 };
 

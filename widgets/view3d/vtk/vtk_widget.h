@@ -38,8 +38,8 @@ public:
 
     /// Draws the scene soon; views take turns (RenderTurns), and several calls make one frame.
     void requestRender();
-    /// The scene has changed by what cannot be seen on the screen: pictures of it show that, and the next
-    /// frame.
+    /// The scene has changed by too little to be worth a frame: the next one shows it, and so does a picture
+    /// that is saved.
     void noteChange();
     void setOverlay(Overlay overlay);
     enum class PictureOverlay { with, without };
