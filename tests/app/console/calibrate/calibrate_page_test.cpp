@@ -297,7 +297,7 @@ private slots:
         file.close();
         m_station->choose(BraceletChoice::simulated);
         QTRY_COMPARE(m_page->messages().count(), 1);
-        QVERIFY(m_station->isReady());
+        QTRY_VERIFY(m_station->isReady());
         QVERIFY(!m_station->calibration().measured());
     }
 };
