@@ -15,6 +15,9 @@
 /// (pure).
 namespace teleta::core {
 
+/// Half width of a 95 % interval in standard errors, normal distribution.
+inline constexpr double kNormalQuantile95 = 1.959963984540054;
+
 /// Type 7, the default of R: linear between order statistics. sorted: not empty; probability: 0..1.
 [[nodiscard]] inline double quantileOf(std::span<const double> sorted, double probability) {
     const double position = probability * static_cast<double>(sorted.size() - 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/motors/lag_fit.h"
 
+#include "backend/core/quantile.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -18,8 +20,7 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
 constexpr int kIterations = 60;
-constexpr double kConverged = 1e-10; ///< relative change of the sum of squares
-constexpr double kNormalQuantile95 = 1.959963984540054;
+constexpr double kConverged = 1e-10;  ///< relative change of the sum of squares
 constexpr double kSmallestRest = 0.1; ///< share of the information that the other steps hold at least
 
 /// The steady speed as a weighted sum of at most two levels.
@@ -271,7 +272,7 @@ std::optional<LagFit> fitLag(const MotorRecording& recording, double start,
         // A few large steps hold most of what is known of a lag, so 1.96 errors are made Student's 95 %.
         const double widened =
             boost::math::quantile(boost::math::students_t(std::max(1.0 / sharesSquared - 1.0, 1.0)), 0.975) /
-            kNormalQuantile95;
+            core::kNormalQuantile95;
         return variance * widened * widened;
     };
     const auto fromResiduals = [&](Eigen::Index k) {

@@ -19,6 +19,12 @@ namespace teleta::ros {
     return std::int64_t{stamp.sec} * 1'000'000'000 + std::int64_t{stamp.nanosec};
 }
 
+/// The stamp of a time in ns since the epoch, which is not negative.
+[[nodiscard]] inline Time stampOf(std::int64_t time_ns) {
+    return {static_cast<std::int32_t>(time_ns / 1'000'000'000),
+            static_cast<std::uint32_t>(time_ns % 1'000'000'000)};
+}
+
 /// Counts what is odd in the stamps of one stream. A zero stamp is not compared with its neighbours.
 /// Thread: one.
 class StampCheck {

@@ -21,7 +21,7 @@ namespace {
 
 /// A difference that rounding makes.
 constexpr double kRounding = 1e-12;
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOtherSpread = 2.0;
 constexpr double kSignificant = 0.05;
 
@@ -120,8 +120,8 @@ MeasureChange numberChange(const std::string& name, const Runs& with, const Runs
     }
     change.mean = mean(all);
     // One seed does not show what is chance.
-    change.spreadWith = all.size() > 1 ? standardDeviation(all) : kUnknown;
-    change.spreadWithout = others.size() > 1 ? standardDeviation(others) : kUnknown;
+    change.spreadWith = all.size() > 1 ? standardDeviation(all) : kNotMeasured;
+    change.spreadWithout = others.size() > 1 ? standardDeviation(others) : kNotMeasured;
     change.meanWithout = mean(others);
     change.change = mean(differences);
     change.pMean = pairedMeanTest(differences);
@@ -151,7 +151,7 @@ MeasureChange textChange(const std::string& name, const Runs& with, const Runs& 
          {&MeasureChange::mean, &MeasureChange::spreadWith, &MeasureChange::meanWithout,
           &MeasureChange::spreadWithout, &MeasureChange::change, &MeasureChange::pMean,
           &MeasureChange::pSpread})
-        change.*number = kUnknown;
+        change.*number = kNotMeasured;
     for (std::size_t i = 0; i < with.measures.size(); ++i) {
         const auto& a = with.measures[i].texts;
         const auto& b = without.measures[i].texts;

@@ -94,7 +94,7 @@ tl::expected<FittedSlope, Refusal> twoPointSlope(std::span<const JointSample> ra
     slope.value_radPerNm = slope.deltaTheta_rad / slope.deltaTorque_Nm;
     if (noise.available) {
         slope.se_radPerNm = std::sqrt(2.0) * noise.along_rad(slope.value_radPerNm) / slope.deltaTorque_Nm;
-        slope.quantile95 = noise.known ? kNormalQuantile95 : studentQuantile95(noise.degreesOfFreedom);
+        slope.quantile95 = noise.known ? core::kNormalQuantile95 : studentQuantile95(noise.degreesOfFreedom);
     }
     return slope;
 }
@@ -151,7 +151,7 @@ tl::expected<FittedSlope, Refusal> regressionSlope(std::span<const JointSample> 
     if (noise.known) {
         slope.se_radPerNm = std::max(line->slopeSe_radPerNm.value_or(0.0),
                                      noise.along_rad(line->slope_radPerNm) / line->torqueSpread_Nm);
-        slope.quantile95 = kNormalQuantile95;
+        slope.quantile95 = core::kNormalQuantile95;
     }
     // An uncorrelated line does not determine where along it a sample belongs.
     const auto alongLine_Nm = [&](const TorqueAngle& point) {
@@ -237,8 +237,8 @@ void setError(Compliance& compliance, const std::vector<ErrorPart>& parts, doubl
     compliance.se_mPerN = se_mPerN;
     compliance.quantile95 = quantile95;
     if (other_mPerN > 0.0)
-        compliance.quantile95 =
-            std::hypot(quantile95 * (scatter_mPerN / se_mPerN), kNormalQuantile95 * (other_mPerN / se_mPerN));
+        compliance.quantile95 = std::hypot(quantile95 * (scatter_mPerN / se_mPerN),
+                                           core::kNormalQuantile95 * (other_mPerN / se_mPerN));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "backend/core/quantile.h"
 #include "backend/stiffness/refusal.h"
 
 #include <tl/expected.hpp>
@@ -21,15 +22,12 @@ inline constexpr double kComplianceResolution = 1e-3;
 /// detection, ICH Q2(R1)).
 inline constexpr double kDetectionLimit_se = 3.3;
 
-/// Half width of a 95 % interval in standard errors, normal distribution.
-inline constexpr double kNormalQuantile95 = 1.959963984540054;
-
 /// A measured compliance. All calculations use compliances: those of springs in series add up, and their
 /// errors stay bounded where the stiffness diverges.
 struct Compliance {
     double value_mPerN = 0.0;
-    std::optional<double> se_mPerN;        ///< standard error; empty when the data do not determine it
-    double quantile95 = kNormalQuantile95; ///< half width of the 95 % interval in standard errors
+    std::optional<double> se_mPerN;              ///< standard error; empty when the data do not determine it
+    double quantile95 = core::kNormalQuantile95; ///< half width of the 95 % interval in standard errors
 
     [[nodiscard]] double margin_mPerN() const { return quantile95 * se_mPerN.value_or(0.0); }
 };

@@ -20,7 +20,7 @@ namespace teleta::stiffness {
 struct FittedSlope {
     double value_radPerNm = 0.0;
     std::optional<double> se_radPerNm;
-    double quantile95 = kNormalQuantile95;
+    double quantile95 = core::kNormalQuantile95;
     double deltaTorque_Nm = 0.0;
     double deltaTheta_rad = 0.0;
     std::size_t samples = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/ros/arm_commander.h"
 
+#include "backend/ros/stamps.h"
 #include "backend/ros/topic_names.h"
 #include "devices/ros/trajectory_message.h"
 #include "devices/ros/trajectory_mover.h"
@@ -21,11 +22,6 @@ constexpr double kServoTimeout_s = 0.1;
 
 /// How often rest is told, so that the loss of a message does not matter.
 constexpr int kRepeats = 20;
-
-ros::Time stampOf(std::int64_t time_ns) {
-    return {static_cast<std::int32_t>(time_ns / 1'000'000'000),
-            static_cast<std::uint32_t>(time_ns % 1'000'000'000)};
-}
 
 /// Points for a trajectory controller, which begins at once.
 class TrajectoryCommander : public ArmCommander {
@@ -75,7 +71,7 @@ public:
 private:
     [[nodiscard]] bool write(std::int64_t stamp_ns) {
         ros::lend(m_message.velocities, std::span(m_rate.data(), m_rate.size()));
-        m_message.header.stamp = stampOf(stamp_ns);
+        m_message.header.stamp = ros::stampOf(stamp_ns);
         return m_writer.write(m_message);
     }
 

@@ -14,7 +14,7 @@ namespace teleta::view3d {
 namespace {
 
 constexpr double kLeast_px = 0.5;
-constexpr float kLeastShare = 0.01F;
+constexpr float kNoticedShare = 0.01F;
 /// Points so far from the origin of a frame show how it turns.
 constexpr double kArm_m = 0.1;
 
@@ -75,8 +75,8 @@ bool isSeen(const MovingState& before, const MovingState& now, double pixelsPerM
             [least](float a, float b) { return std::isnan(a) != std::isnan(b) || std::abs(a - b) >= least; };
     };
     return differ(before.points_m, now.points_m, hasMoved) ||
-           differ(before.loads, now.loads, changedBy(std::max(now.leastLoad, kLeastShare))) ||
-           differ(before.shares, now.shares, changedBy(kLeastShare));
+           differ(before.loads, now.loads, changedBy(std::max(now.leastLoad, kNoticedShare))) ||
+           differ(before.shares, now.shares, changedBy(kNoticedShare));
 }
 
 ChangeWatch::ChangeWatch(std::function<MovingView()> look, std::function<void()> ask)

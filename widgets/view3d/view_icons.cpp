@@ -10,7 +10,7 @@ namespace {
 using base::addLine;
 using Drawing = base::IconDrawing;
 
-constexpr QPointF kMiddle(12.0, 12.0);
+constexpr QPointF kCentre(12.0, 12.0);
 constexpr QPointF kNorth(12.0, 3.0), kSouth(12.0, 21.0);
 constexpr QPointF kNorthWest(4.2, 7.5), kNorthEast(19.8, 7.5);
 constexpr QPointF kSouthWest(4.2, 16.5), kSouthEast(19.8, 16.5);
@@ -18,8 +18,8 @@ constexpr QPointF kSouthWest(4.2, 16.5), kSouthEast(19.8, 16.5);
 /// A cube seen from a corner.
 void cube(Drawing& d) {
     addLine(d.strokes, {kNorth, kNorthEast, kSouthEast, kSouth, kSouthWest, kNorthWest}, true);
-    addLine(d.strokes, {kNorthWest, kMiddle, kNorthEast});
-    addLine(d.strokes, {kMiddle, kSouth});
+    addLine(d.strokes, {kNorthWest, kCentre, kNorthEast});
+    addLine(d.strokes, {kCentre, kSouth});
 }
 
 Drawing drawingOf(ViewIcon icon) {
@@ -28,15 +28,15 @@ Drawing drawingOf(ViewIcon icon) {
     switch (icon) {
     case ViewIcon::front:
         cube(d);
-        addLine(d.fills, {kNorthWest, kMiddle, kSouth, kSouthWest}, true);
+        addLine(d.fills, {kNorthWest, kCentre, kSouth, kSouthWest}, true);
         break;
     case ViewIcon::top:
         cube(d);
-        addLine(d.fills, {kNorth, kNorthEast, kMiddle, kNorthWest}, true);
+        addLine(d.fills, {kNorth, kNorthEast, kCentre, kNorthWest}, true);
         break;
     case ViewIcon::side:
         cube(d);
-        addLine(d.fills, {kNorthEast, kSouthEast, kSouth, kMiddle}, true);
+        addLine(d.fills, {kNorthEast, kSouthEast, kSouth, kCentre}, true);
         break;
     case ViewIcon::isometric:
         cube(d);
@@ -53,7 +53,7 @@ Drawing drawingOf(ViewIcon icon) {
                 addLine(d.strokes, {at(8.5, 4.0), at(8.5, 8.5), at(4.0, 8.5)});
             }
         }
-        d.fills.addEllipse(kMiddle, 3.2, 3.2);
+        d.fills.addEllipse(kCentre, 3.2, 3.2);
         break;
     case ViewIcon::onHand: // a camera behind a plate
         d.strokes.addRect(QRectF(3.5, 7.5, 8.0, 9.0));

@@ -65,6 +65,10 @@ nlohmann::ordered_json orNull(const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+nlohmann::ordered_json textOrNull(const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+}
+
 core::Expected<void> printText(std::string_view text) {
     core::OutputFile output = core::OutputFile::standardOutput();
     output.write(text);

@@ -46,6 +46,9 @@ void declareOut(CLI::App& app, std::string& outPath);
 /// A number for a JSON document; null without one.
 [[nodiscard]] nlohmann::ordered_json orNull(const std::optional<double>& value);
 
+/// A text for a JSON document; null for an empty one.
+[[nodiscard]] nlohmann::ordered_json textOrNull(const std::string& text);
+
 /// Prints a text on standard output.
 [[nodiscard]] core::Expected<void> printText(std::string_view text);
 

@@ -31,8 +31,8 @@ namespace {
 
 constexpr int kLineHeight_percent = 125;
 constexpr double kFirstColumn_percent = 24.0;
-constexpr int kPage = Qt::UserRole;  ///< name of an item's page; a heading has none
-constexpr double kPicture_em = 48.0; ///< widest picture
+constexpr int kPage = Qt::UserRole; ///< name of an item's page; a heading has none
+constexpr double kWidest_em = 48.0; ///< widest picture
 
 /// Shows pages of the handbook by name; QTextBrowser keeps the history.
 class HandbookText : public QTextBrowser {
@@ -79,7 +79,7 @@ protected:
     /// A picture that is wider than the text is shown smaller, on a fine screen with all its dots.
     [[nodiscard]] QImage fitted(const QImage& picture) const {
         const double ratio = devicePixelRatioF();
-        const int widest_px = qRound(base::em(this, kPicture_em) * ratio);
+        const int widest_px = qRound(base::em(this, kWidest_em) * ratio);
         if (picture.width() <= widest_px)
             return picture;
         QImage smaller = picture.scaledToWidth(widest_px, Qt::SmoothTransformation);
@@ -150,7 +150,7 @@ HandbookWindow::HandbookWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(bar);
     layout->addLayout(row, 1);
-    resize(base::em(this, kPicture_em + 18), base::em(this, 48));
+    resize(base::em(this, kWidest_em + 18), base::em(this, 48));
 
     connect(m_back, &QAction::triggered, m_text, &QTextBrowser::backward);
     connect(m_forward, &QAction::triggered, m_text, &QTextBrowser::forward);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "backend/core/quantile.h"
 #include "backend/core/random_stream.h"
 #include "backend/cost/ladders/ladders.h"
 #include "backend/cost/limit_rung.h"
@@ -64,13 +65,12 @@ LogInterval closed(const LikelihoodSearch& search, const study::OpenInterval& in
 
 /// 95 % by the expected information.
 LogInterval normalInterval(const LikelihoodSearch& search, const SearchPoint& point) {
-    constexpr double kSdsOf95 = 1.959963984540054;
     const std::optional<double> error = search.errorOf(SearchPoint::threshold, point);
     if (!error)
         return closed(search, {});
     const double middle = point.at[SearchPoint::threshold];
-    return {std::max(middle - kSdsOf95 * *error, search.lowest()[SearchPoint::threshold]),
-            std::min(middle + kSdsOf95 * *error, search.highest()[SearchPoint::threshold])};
+    return {std::max(middle - core::kNormalQuantile95 * *error, search.lowest()[SearchPoint::threshold]),
+            std::min(middle + core::kNormalQuantile95 * *error, search.highest()[SearchPoint::threshold])};
 }
 
 LogInterval resampledInterval(const LikelihoodSearch& search, const SearchPoint& best,

@@ -41,7 +41,7 @@ double clipped(double value, double time_s, LossCounter& losses) {
     return std::clamp(value, 0.0, 1.0);
 }
 
-double between(const Breakpoint& a, const Breakpoint& b, double time_s) {
+double intensityBetween(const Breakpoint& a, const Breakpoint& b, double time_s) {
     const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
     return a.intensity + share * (b.intensity - a.intensity);
 }
@@ -49,13 +49,14 @@ double between(const Breakpoint& a, const Breakpoint& b, double time_s) {
 /// The value of a control from a time on. lines: begins at 0 s; the last value stays.
 double valueFrom(const Track& lines, double time_s) {
     const auto after = std::ranges::upper_bound(lines, time_s, {}, &Breakpoint::time_s);
-    return after == lines.end() ? lines.back().intensity : between(*std::prev(after), *after, time_s);
+    return after == lines.end() ? lines.back().intensity
+                                : intensityBetween(*std::prev(after), *after, time_s);
 }
 
 /// The value of a control up to a time > 0.
 double valueUpTo(const Track& lines, double time_s) {
     const auto at = std::ranges::lower_bound(lines, time_s, {}, &Breakpoint::time_s);
-    return at == lines.end() ? lines.back().intensity : between(*std::prev(at), *at, time_s);
+    return at == lines.end() ? lines.back().intensity : intensityBetween(*std::prev(at), *at, time_s);
 }
 
 /// One course of the intensity control: 1 until the first piece; a piece holds its last value until the next
@@ -70,7 +71,7 @@ Track controlOf(std::vector<Track> pieces) {
         const Track& points = pieces[k];
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (points[i].time_s > end_s) {
-                lines.push_back({end_s, between(points[i - 1], points[i], end_s)});
+                lines.push_back({end_s, intensityBetween(points[i - 1], points[i], end_s)});
                 break;
             }
             lines.push_back(points[i]);

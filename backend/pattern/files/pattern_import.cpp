@@ -34,7 +34,7 @@ std::optional<std::size_t> tactorOfName(std::string_view name, std::string_view 
     return tactorAtEnd(name);
 }
 
-std::vector<std::size_t> allTactors() {
+std::vector<std::size_t> allTactorIndices() {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < core::kTactors; ++i)
         all.push_back(i);
@@ -52,7 +52,7 @@ void placeSignal(Pattern& pattern, const ImportOptions& options, const std::stri
     }
     const bool isOwn = options.tactors.empty() && !tactors.empty(); // the file says where it belongs
     if (tactors.empty())
-        tactors = allTactors();
+        tactors = allTactorIndices();
     const Track signal = std::exchange(pattern.tracks[0], {});
     std::vector<int> numbers;
     std::string list;

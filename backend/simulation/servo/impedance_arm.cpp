@@ -15,8 +15,8 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using servo::kLwrJoints;
 
-constexpr int kMostIterations = 60;
-constexpr int kMostHalvings = 40;
+constexpr int kMostRestSteps = 60;
+constexpr int kMostRestHalvings = 40;
 /// A step of Gauss-Newton that promises less is not taken.
 constexpr double kLeastGain_J = 1e-12;
 constexpr double kInertiaRenewal_rad = 0.005;
@@ -243,7 +243,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
     };
 
     double merit_J = here->potential_J;
-    for (int i = 0; i < kMostIterations; ++i) {
+    for (int i = 0; i < kMostRestSteps; ++i) {
         if (!m_curvature.isOfState)
             findCurvature(*here);
         Freedoms gradient = gradientAt(*here);
@@ -267,7 +267,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
             break;
         double share = 1.0;
         int halving = 0;
-        for (; halving < kMostHalvings; ++halving, share *= 0.5) {
+        for (; halving < kMostRestHalvings; ++halving, share *= 0.5) {
             evaluate(here->at + share * move, *next, times);
             const double nextMerit_J = next->potential_J + inertial_J(next->at - start);
             if (nextMerit_J <= merit_J) {
@@ -277,7 +277,7 @@ void ImpedanceArm::step(double step_s, servo::CycleTimes* times) {
                 break;
             }
         }
-        if (halving == kMostHalvings)
+        if (halving == kMostRestHalvings)
             break;
     }
 

@@ -121,7 +121,7 @@ private:
     }
 
     [[nodiscard]] servo::ServoStep step(bool stopped) const {
-        constexpr double kNone = servo::ServoStep::kNone;
+        constexpr double kNotMeasured = servo::ServoStep::kNone;
         const servo::ServoOutput& output = m_loop->output();
         const Eigen::Isometry3d& X_Base_Sensor = m_loop->world().arm().X_Base_Sensor();
         const contact::TactileFeatures& features = m_loop->features();
@@ -134,16 +134,16 @@ private:
         step.moment = m_tuning.moment;
         step.force_N = m_loop->world().truth().force_N;
         step.desired_N = m_tuning.force_N;
-        step.copY_m = features.copY_m.value_or(kNone);
+        step.copY_m = features.copY_m.value_or(kNotMeasured);
         step.copYDesired_m = output.desired[servo::kY];
-        step.cocX_m = features.cocX_m.value_or(kNone);
-        step.cocXDesired_m = output.desiredCocX_m().value_or(kNone);
-        step.dzmpYDesired_m = output.desiredDzmpY_m().value_or(kNone);
+        step.cocX_m = features.cocX_m.value_or(kNotMeasured);
+        step.cocXDesired_m = output.desiredCocX_m().value_or(kNotMeasured);
+        step.dzmpYDesired_m = output.desiredDzmpY_m().value_or(kNotMeasured);
         if (m_loop->world().arm().object().turns)
             step.massX_m = m_loop->world().truth().massPlace_m;
-        step.dzmpY_m = features.dzmpY_m.value_or(kNone);
-        step.dzmpYTrue_m = loads.force_N > 0.0 ? loads.copX_m - loads.cocX_m : kNone;
-        step.alphaZ_rad = features.alphaZ_rad.value_or(kNone);
+        step.dzmpY_m = features.dzmpY_m.value_or(kNotMeasured);
+        step.dzmpYTrue_m = loads.force_N > 0.0 ? loads.copX_m - loads.cocX_m : kNotMeasured;
+        step.alphaZ_rad = features.alphaZ_rad.value_or(kNotMeasured);
         step.alphaZDesired_rad = output.desired[servo::kWz];
         step.limits = output.limits;
         step.p_Base_Sensor = X_Base_Sensor.translation();

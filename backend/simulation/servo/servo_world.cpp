@@ -17,7 +17,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kGravity_mPerS2 = 9.81;
+constexpr double kHingeGravity_mPerS2 = 9.81;
 
 Isometry3d mount(const scene::ServoArm& arm) {
     Isometry3d X_Flange_Sensor = Isometry3d::Identity();
@@ -139,7 +139,7 @@ void SimulatedServoWorld::moveMass() {
     const scene::TrayHinge& hinge = *m_world.object.hinge;
     m_truth.massPlace_m = massPlace_m(hinge.motion, time_s());
     const Vector3d arm_m = m_truth.massPlace_m * m_arm.X_Base_Object().linear().col(0);
-    const Vector3d weight_N(0.0, 0.0, -hinge.mass_kg * kGravity_mPerS2);
+    const Vector3d weight_N(0.0, 0.0, -hinge.mass_kg * kHingeGravity_mPerS2);
     m_arm.setHinge(hinge.inertia_kgm2 + hinge.mass_kg * m_truth.massPlace_m * m_truth.massPlace_m,
                    m_arm.object().axis_Base.dot(arm_m.cross(weight_N)));
 }

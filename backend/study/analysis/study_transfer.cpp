@@ -28,7 +28,7 @@ constexpr double kFewestPerPattern = 20.0;
 constexpr double kFewestPerCell = 4.0;
 constexpr std::int64_t kFewestDifferent = 10;
 constexpr double kTail = 0.05;
-constexpr double kNormal95 = 1.6448536269514722; // its quantile
+constexpr double kNormalOfTail = 1.6448536269514722; // its quantile
 
 double xLog2x(double x) {
     return x > 0.0 ? x * std::log2(x) : 0.0;
@@ -299,7 +299,7 @@ std::optional<TransferEstimate> studyTransfer(std::span<const ConfusionMatrix> p
         estimate.atLeast_bit = fanoBound_bit(matrix, people);
     } else {
         double most_bit =
-            estimate.measured_bit + kNormal95 * std::sqrt(std::max(variance, varianceOfTrials(matrix)));
+            estimate.measured_bit + kNormalOfTail * std::sqrt(std::max(variance, varianceOfTrials(matrix)));
         if (test.seesNothing())
             most_bit = std::max(most_bit, highestNoncentrality(test) / 2.0 / std::numbers::ln2 /
                                               static_cast<double>(matrix.total()));

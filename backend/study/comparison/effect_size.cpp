@@ -16,12 +16,12 @@ namespace {
 
 /// Of a noncentrality, relative: far below what a table shows.
 constexpr int kBits = 40;
-constexpr std::uintmax_t kMostSteps = 200;
+constexpr std::uintmax_t kMostRootSteps = 200;
 
 /// Where a falling function of the noncentrality passes the probability, between two ends that enclose it.
 template <typename Cdf>
 double noncentrality(const Cdf& cdf, double probability, double low, double high) {
-    std::uintmax_t steps = kMostSteps;
+    std::uintmax_t steps = kMostRootSteps;
     const auto [from, to] =
         boost::math::tools::toms748_solve([&](double value) { return cdf(value) - probability; }, low, high,
                                           boost::math::tools::eps_tolerance<double>(kBits), steps);

@@ -13,7 +13,7 @@ namespace teleta::study {
 namespace {
 
 /// One factor of a design: its levels, and a row of values per participant without gaps.
-struct Factor {
+struct ComparedFactor {
     std::string effect;
     std::string stimulus;
     std::vector<std::string> levels;
@@ -49,28 +49,30 @@ std::vector<double> column(const ParticipantCells& cells, std::size_t index) {
 }
 
 /// The factor that a line of the table tests; empty for an interaction.
-std::optional<Factor> factorOf(const TaskResults& task, const AccuracyCells& table, const AnovaLine& line) {
+std::optional<ComparedFactor> factorOf(const TaskResults& task, const AccuracyCells& table,
+                                       const AnovaLine& line) {
     const std::size_t a = table.conditions.size();
     const std::size_t b = table.patterns.size();
     if (!line.stimulus.empty()) {
         for (std::size_t j = 0; j < b; ++j) {
             if (task.patterns[table.patterns[j]] == line.stimulus)
-                return Factor{line.effect, line.stimulus, table.conditions, completeRows(table.ofPattern(j))};
+                return ComparedFactor{line.effect, line.stimulus, table.conditions,
+                                      completeRows(table.ofPattern(j))};
         }
         return std::nullopt;
     }
     const ParticipantCells complete = completeRows(table.cells);
     if (line.effect == "condition")
-        return Factor{line.effect, {}, table.conditions, means(complete, a, b, b, 1)};
+        return ComparedFactor{line.effect, {}, table.conditions, means(complete, a, b, b, 1)};
     if (line.effect != "pattern")
         return std::nullopt;
     std::vector<std::string> letters;
     for (const std::size_t pattern : table.patterns)
         letters.push_back(task.patterns[pattern]);
-    return Factor{line.effect, {}, std::move(letters), means(complete, b, 1, a, b)};
+    return ComparedFactor{line.effect, {}, std::move(letters), means(complete, b, 1, a, b)};
 }
 
-void addPairs(const Factor& factor, std::vector<LevelPair>& pairs) {
+void addPairs(const ComparedFactor& factor, std::vector<LevelPair>& pairs) {
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
         for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
             const std::vector<double> first = column(factor.values, i);
@@ -106,7 +108,7 @@ void adjust(std::vector<LevelPair>& pairs, std::size_t from) {
     }
 }
 
-EffectSupplement supplement(const AnovaLine& line, const std::optional<Factor>& factor) {
+EffectSupplement supplement(const AnovaLine& line, const std::optional<ComparedFactor>& factor) {
     EffectSupplement effect{line.effect, line.stimulus, {}, {}, {}};
     if (!line.row)
         effect.note = line.note;
@@ -131,7 +133,7 @@ TaskComparisons taskComparisons(const TaskResults& task) {
     std::size_t withinPatterns = 0;
     bool isWithin = false;
     for (const AnovaLine& line : task.anova) {
-        const std::optional<Factor> factor = factorOf(task, table, line);
+        const std::optional<ComparedFactor> factor = factorOf(task, table, line);
         comparisons.effects.push_back(supplement(line, factor));
         if (!factor)
             continue;

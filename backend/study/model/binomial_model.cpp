@@ -22,7 +22,7 @@ constexpr core::Words<ModelRefusal, 5> kModelRefusals{
 constexpr std::array<double, 3> kStartSpreads{0.2, 0.6, 1.5};
 constexpr int kMostNewtonSteps = 200;
 /// A direction is flat whose curvature is this part of the largest.
-constexpr double kFlat = 1e-7;
+constexpr double kFlatCurvature = 1e-7;
 /// A higher likelihood than that of s = 0 by no more than this is rounding.
 constexpr double kNoGain = 1e-8;
 
@@ -43,7 +43,7 @@ Peak climb(const MarginalLikelihood& likelihood, Eigen::VectorXd parameters, boo
         const Eigen::MatrixXd hessian = likelihood.hessian(peak.parameters).topLeftCorner(free, free);
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
         const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
-        const double least = kFlat * (1.0 + sizes.maxCoeff());
+        const double least = kFlatCurvature * (1.0 + sizes.maxCoeff());
         // Without any curvature the likelihood rises for ever, or is at its end.
         peak.ranAway = sizes.minCoeff() < least;
         const Eigen::VectorXd curvature = sizes.cwiseMax(least);

@@ -15,7 +15,7 @@ namespace teleta::study {
 namespace {
 
 constexpr std::size_t kNodes = 25;
-constexpr double kLeastShare = 1e-300;
+constexpr double kSmallestOutcome = 1e-300;
 /// Of the trapezoidal rule, in the standard deviations of z. The step is a share of the spread that the
 /// integrand would have if each trial told as much as a trial can.
 constexpr int kFarthest = 9;
@@ -31,18 +31,18 @@ const std::vector<QuadratureNode>& nodes() {
 }
 
 /// h, 1 - h without cancellation, and h'.
-struct Share {
+struct LinkShares {
     double below = 0.0;
     double above = 0.0;
     double slope = 0.0;
 };
 
-Share shareAt(Link link, double x) {
+LinkShares shareAt(Link link, double x) {
     if (link == Link::logit) {
         const double e = std::exp(-std::abs(x));
         const double small = e / (1.0 + e);
         const double large = 1.0 / (1.0 + e);
-        return x >= 0.0 ? Share{large, small, large * small} : Share{small, large, large * small};
+        return x >= 0.0 ? LinkShares{large, small, large * small} : LinkShares{small, large, large * small};
     }
     const double root = std::numbers::sqrt2;
     return {0.5 * std::erfc(-x / root), 0.5 * std::erfc(x / root),
@@ -69,10 +69,10 @@ MarginalLikelihood::MarginalLikelihood(const BinomialModel& model)
 }
 
 MarginalLikelihood::Point MarginalLikelihood::point(const Row& row, double predictor) const {
-    const Share share = shareAt(m_link, predictor);
+    const LinkShares share = shareAt(m_link, predictor);
     const double range = 1.0 - m_guess - m_lapse;
-    const double right = std::max(kLeastShare, m_guess + range * share.below);
-    const double wrong = std::max(kLeastShare, m_lapse + range * share.above);
+    const double right = std::max(kSmallestOutcome, m_guess + range * share.below);
+    const double wrong = std::max(kSmallestOutcome, m_lapse + range * share.above);
     const double slope = range * share.slope;
     Point point;
     // A count of 0 adds nothing, however small its share.

@@ -12,13 +12,13 @@ namespace teleta::study {
 namespace {
 
 /// Streams of a trial.
-constexpr std::uint64_t kConfusion = 1;
+constexpr std::uint64_t kConfusionSeed = 1;
 constexpr std::uint64_t kLapses = 2;
-constexpr std::uint64_t kTimes = 3;
+constexpr std::uint64_t kTimeSeed = 3;
 
-using Counts = std::vector<std::vector<int>>;
+using AnswerCounts = std::vector<std::vector<int>>;
 
-ConfusionMatrix matrixOf(const Counts& counts) {
+ConfusionMatrix matrixOf(const AnswerCounts& counts) {
     ConfusionMatrix matrix(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
         for (std::size_t j = 0; j < counts[i].size(); ++j)
@@ -49,7 +49,7 @@ bool SimulatedParticipant::isLapse(std::uint64_t seed) const {
 double SimulatedParticipant::time_s(std::uint64_t seed) const {
     if (logSpread == 0.0)
         return medianResponse_s;
-    core::RandomStream random(derivedSeed(seed, kTimes));
+    core::RandomStream random(derivedSeed(seed, kTimeSeed));
     const double radius = std::sqrt(-2.0 * std::log1p(-random.uniform()));
     const double normal = radius * std::cos(2.0 * std::numbers::pi * random.uniform());
     return medianResponse_s * std::exp(logSpread * normal);
@@ -58,7 +58,7 @@ double SimulatedParticipant::time_s(std::uint64_t seed) const {
 std::size_t SimulatedParticipant::response(std::size_t stimulus, std::uint64_t seed) const {
     if (!matrix)
         return stimulus;
-    const double choice = core::RandomStream(derivedSeed(seed, kConfusion)).uniform();
+    const double choice = core::RandomStream(derivedSeed(seed, kConfusionSeed)).uniform();
     const std::int64_t total = matrix->rowTotal(stimulus);
     if (total == 0)
         return static_cast<std::size_t>(choice * static_cast<double>(matrix->patterns()));

@@ -3,6 +3,7 @@
 
 #include "backend/core/steady_time.h"
 #include "backend/ros/qos_profile.h"
+#include "backend/ros/stamps.h"
 #include "backend/ros/topic_names.h"
 #include "devices/ros/wall_clock.h"
 
@@ -18,13 +19,8 @@ namespace {
 /// A second of an array at 200 Hz, frame by frame.
 constexpr std::size_t kTapBlocks = 256;
 constexpr std::string_view kFramesEnd = "-frames";
-constexpr int kDepth = 5;
+constexpr int kQueueDepth = 5;
 constexpr double kLongestBlock_s = 0.005;
-
-ros::Time stampOf(std::int64_t wall_ns) {
-    return {static_cast<std::int32_t>(wall_ns / 1'000'000'000),
-            static_cast<std::uint32_t>(wall_ns % 1'000'000'000)};
-}
 
 std::string nameOf(const recording::StreamInfo& stream) {
     const std::string_view name = stream.name;
@@ -63,7 +59,7 @@ std::shared_ptr<core::StreamTap> TactilePublisher::addStream(recording::StreamIn
         return tap;
     }
     const ros::QosProfile profile =
-        m_reliable ? ros::QosProfile{ros::Reliability::reliable, ros::Durability::volatileData, kDepth,
+        m_reliable ? ros::QosProfile{ros::Reliability::reliable, ros::Durability::volatileData, kQueueDepth,
                                      kLongestBlock_s}
                    : ros::kSensorWriter;
     auto writer = dds::Writer<ros::TactileState>::open(m_participant, ros::ddsTopicOf(topic), profile);
@@ -110,7 +106,7 @@ void TactilePublisher::send(Array& array) {
             sensor.name = array.name.data();
             ros::lend(sensor.values, values.subspan(i * array.values, array.values));
             ros::TactileState message{};
-            message.header.stamp = stampOf(block.time_ns[i] + toWall_ns);
+            message.header.stamp = ros::stampOf(block.time_ns[i] + toWall_ns);
             message.header.frame_id = array.frame.data();
             ros::lend(message.sensors, std::span(&sensor, 1));
             (void)array.writer.write(message);

@@ -125,7 +125,7 @@ TEST(TouchEquations, intervalIsTheOneOfTheComplianceTurnedOver) {
 }
 
 TEST(TouchEquations, uncertaintyOfTheLinkWidensTheInterval) {
-    const auto total = Compliance{1.0 / 2469.0, 3e-6, kNormalQuantile95};
+    const auto total = Compliance{1.0 / 2469.0, 3e-6, teleta::core::kNormalQuantile95};
     const auto object = objectCompliance(total, 3468.6, 4e-6 * 3468.6 * 3468.6);
     ASSERT_TRUE(object);
     EXPECT_NEAR(object->se_mPerN.value(), 5e-6, 1e-12);
@@ -133,7 +133,7 @@ TEST(TouchEquations, uncertaintyOfTheLinkWidensTheInterval) {
 
 TEST(TouchEquations, aHardObjectGivesALowerBoundAndNoValue) {
     // c_o = 0 with se = 2e-6: at least 1 / (1.96 x 2e-6) = 255 107 N/m.
-    const Stiffness object = stiffnessFromCompliance({0.0, 2e-6, kNormalQuantile95}, 3468.6);
+    const Stiffness object = stiffnessFromCompliance({0.0, 2e-6, teleta::core::kNormalQuantile95}, 3468.6);
     EXPECT_TRUE(object.onlyBound());
     EXPECT_FALSE(object.se_NPerM);
     EXPECT_FALSE(object.upper95_NPerM);
@@ -143,8 +143,10 @@ TEST(TouchEquations, aHardObjectGivesALowerBoundAndNoValue) {
 
 TEST(TouchEquations, aComplianceUnderTheDetectionLimitGivesABound) {
     const double se_mPerN = 2e-6;
-    EXPECT_TRUE(stiffnessFromCompliance({3.2 * se_mPerN, se_mPerN, kNormalQuantile95}, 3468.6).onlyBound());
-    EXPECT_FALSE(stiffnessFromCompliance({3.4 * se_mPerN, se_mPerN, kNormalQuantile95}, 3468.6).onlyBound());
+    EXPECT_TRUE(stiffnessFromCompliance({3.2 * se_mPerN, se_mPerN, teleta::core::kNormalQuantile95}, 3468.6)
+                    .onlyBound());
+    EXPECT_FALSE(stiffnessFromCompliance({3.4 * se_mPerN, se_mPerN, teleta::core::kNormalQuantile95}, 3468.6)
+                     .onlyBound());
 }
 
 TEST(TouchEquations, withoutAStandardErrorAHardObjectIsAtLeastAsStiffAsTheLink) {
@@ -162,11 +164,12 @@ TEST(TouchEquations, withoutAStandardErrorASoftObjectHasAValueAndNoInterval) {
 
 TEST(TouchEquations, refuseWhatIsNotPositiveOrNotFinite) {
     const double infinity = std::numeric_limits<double>::infinity();
-    const Compliance total{1e-3, 1e-6, kNormalQuantile95};
+    const Compliance total{1e-3, 1e-6, teleta::core::kNormalQuantile95};
     EXPECT_EQ(objectCompliance(total, 0.0).error(), Refusal::notPositive);
     EXPECT_EQ(objectCompliance(total, infinity).error(), Refusal::notFinite);
-    EXPECT_EQ(objectCompliance({infinity, 1e-6, kNormalQuantile95}, 3468.6).error(), Refusal::notFinite);
-    EXPECT_EQ(objectCompliance({1e-3, -1e-6, kNormalQuantile95}, 3468.6).error(),
+    EXPECT_EQ(objectCompliance({infinity, 1e-6, teleta::core::kNormalQuantile95}, 3468.6).error(),
+              Refusal::notFinite);
+    EXPECT_EQ(objectCompliance({1e-3, -1e-6, teleta::core::kNormalQuantile95}, 3468.6).error(),
               Refusal::negativeUncertainty);
     EXPECT_EQ(objectCompliance(total, 3468.6, -1.0).error(), Refusal::negativeUncertainty);
 }

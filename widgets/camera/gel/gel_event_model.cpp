@@ -19,7 +19,7 @@ namespace teleta::camera {
 namespace {
 
 using pipeline::GelEvent;
-using Kind = GelEvent::Kind;
+using GelEventKind = GelEvent::Kind;
 
 /// A cell with a length in mm, as the title says; empty when it is not known.
 QVariant lengthCell(const GelEvent& happened, double length_m) {
@@ -29,8 +29,8 @@ QVariant lengthCell(const GelEvent& happened, double length_m) {
 }
 
 /// Names in files, by kind.
-constexpr std::array kNames{"begin",        "incipient_slip", "slip",     "end",  "reference", "restart",
-                            "picture_dark", "light_jump",     "gel_torn", "bump", "follow"};
+constexpr std::array kGelNames{"begin",        "incipient_slip", "slip",     "end",  "reference", "restart",
+                               "picture_dark", "light_jump",     "gel_torn", "bump", "follow"};
 
 } // namespace
 
@@ -52,7 +52,7 @@ QString GelEventModel::csv() const {
     for (auto happened = m_events.rbegin(); happened != m_events.rend(); ++happened) {
         const bool isOfContact = happened->contact > 0;
         text += base::csvNumber(happened->time_s) + QLatin1Char(',');
-        text += QLatin1String(kNames[static_cast<std::size_t>(happened->kind)]) + QLatin1Char(',');
+        text += QLatin1String(kGelNames[static_cast<std::size_t>(happened->kind)]) + QLatin1Char(',');
         text += (isOfContact ? QString::number(happened->contact) : QStringLiteral("NA")) + QLatin1Char(',');
         for (const double value :
              {happened->centre_m.x(), happened->centre_m.y(), happened->shear_m.x(), happened->shear_m.y()})
@@ -66,8 +66,8 @@ QVariant GelEventModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid())
         return {};
     const GelEvent& happened = m_events[static_cast<std::size_t>(index.row())];
-    const bool slips = happened.kind == Kind::slip || happened.kind == Kind::bumps;
-    const bool begins = happened.kind == Kind::incipientSlip;
+    const bool slips = happened.kind == GelEventKind::slip || happened.kind == GelEventKind::bumps;
+    const bool begins = happened.kind == GelEventKind::incipientSlip;
     if (role == Qt::TextAlignmentRole)
         return alignmentOf(index.column());
     const base::StatusColours& colours = base::statusColours(QGuiApplication::palette());

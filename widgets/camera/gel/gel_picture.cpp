@@ -26,7 +26,7 @@ namespace {
 
 using vision::GelContactState;
 
-constexpr std::size_t kArrowColours = 32;
+constexpr std::size_t kShearColours = 32;
 
 QPointF pointOf(const Eigen::Vector2d& p) {
     return {p.x(), p.y()};
@@ -213,7 +213,7 @@ void GelPicture::paintArrows(QPainter& painter, const QSizeF& size) const {
     for (const vision::GelMotion& motion : shown.motions)
         if (motion.found)
             longest_m = std::max(longest_m, motion.displacement_m.norm());
-    std::array<QList<QLineF>, kArrowColours> lines;
+    std::array<QList<QLineF>, kShearColours> lines;
     QList<QPointF> lost;
     for (std::size_t i = 0; i < std::min(shown.markers.size(), shown.motions.size()); ++i) {
         const QPointF rest = pointOf(shown.markers[i].rest_px);
@@ -226,13 +226,13 @@ void GelPicture::paintArrows(QPainter& painter, const QSizeF& size) const {
         if (!(moved_m >= kLeastArrow * shown.noise_m))
             continue;
         const double share = std::clamp(moved_m / longest_m, 0.0, 1.0);
-        const auto colour = static_cast<std::size_t>(share * (kArrowColours - 1));
+        const auto colour = static_cast<std::size_t>(share * (kShearColours - 1));
         addArrow(lines[colour], toPicture(rest, size),
                  toPicture(rest + enlargement * (pointOf(motion.place_px) - rest), size));
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         // The lower half of the map is too dark for a dark picture.
-        const double share = 0.45 + 0.55 * static_cast<double>(i) / (kArrowColours - 1);
+        const double share = 0.45 + 0.55 * static_cast<double>(i) / (kShearColours - 1);
         drawLines(painter, lines[i], QColor::fromRgb(base::colourAt(base::cividis(), share)));
     }
     if (!shown.usable)

@@ -24,7 +24,7 @@ namespace {
 constexpr double kWheelZoom = 1.2;
 constexpr double kWheelScroll = 0.1; ///< of the span, a notch
 constexpr double kNotch = 120.0;
-constexpr double kNudge = 0.05;
+constexpr double kCoarseNudge = 0.05;
 constexpr double kFineNudge = 0.01;
 constexpr int kLongNudge = 10;
 
@@ -316,7 +316,7 @@ void TimelineView::stepObject(int direction) {
 void TimelineView::nudge(int key, Qt::KeyboardModifiers modifiers) {
     const bool shift = modifiers.testFlag(Qt::ShiftModifier);
     const double time_s = m_document->snapStep_s() * (shift ? kLongNudge : 1);
-    const double intensity = shift ? kFineNudge : kNudge;
+    const double intensity = shift ? kFineNudge : kCoarseNudge;
     const bool none = m_document->selection().empty();
     if (key == Qt::Key_Left || key == Qt::Key_Right) {
         const double signedTime_s = key == Qt::Key_Left ? -time_s : time_s;

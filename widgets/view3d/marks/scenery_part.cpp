@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kOpacity = 0.3;
 
-bool isDrawable(const SceneryItem& item) {
+bool isDrawableItem(const SceneryItem& item) {
     if (!item.axis_m.empty())
         return item.radius_m > 0.0 && std::isfinite(item.radius_m) &&
                std::ranges::all_of(item.axis_m, [](const Eigen::Vector3d& p) { return p.allFinite(); });
@@ -48,7 +48,7 @@ void SceneryPart::applyColours(const SceneColours& colours) {
 
 bool SceneryPart::set(std::span<const SceneryItem> items) {
     std::vector<SceneryItem> drawable;
-    std::copy_if(items.begin(), items.end(), std::back_inserter(drawable), isDrawable);
+    std::copy_if(items.begin(), items.end(), std::back_inserter(drawable), isDrawableItem);
     if (drawable == m_items)
         return false;
     m_items = std::move(drawable);

@@ -10,7 +10,7 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr double kRangeInThresholds = 5.0;
+constexpr double kMomentRangeInThresholds = 5.0;
 constexpr double kSmallestRange_Nm = 1e-30;
 constexpr double kLeastShare = 0.02; ///< of the range; what is smaller is not drawn
 // In radii of a contact's sphere.
@@ -43,8 +43,8 @@ void WrenchPart::addTo(vtkRenderer* renderer) {
 
 void WrenchPart::take(const pipeline::TouchSnapshot& snapshot) {
     // A load at the threshold, one taxel from the centre.
-    const double least_Nm =
-        std::max(kRangeInThresholds * snapshot.threshold_N * snapshot.layout.pitch_m(), kSmallestRange_Nm);
+    const double least_Nm = std::max(
+        kMomentRangeInThresholds * snapshot.threshold_N * snapshot.layout.pitch_m(), kSmallestRange_Nm);
     if (std::exchange(m_leastRange_Nm, least_Nm) != least_Nm)
         m_momentRange = base::CalmRange(least_Nm);
     const auto moment_Nm = momentOf_Nm(snapshot.features);

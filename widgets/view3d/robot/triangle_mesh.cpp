@@ -9,8 +9,8 @@ namespace teleta::view3d {
 
 namespace {
 
-constexpr std::uint32_t kSides = 32;
-constexpr std::uint32_t kRings = 16;
+constexpr std::uint32_t kFineSides = 32;
+constexpr std::uint32_t kFineRings = 16;
 
 std::uint32_t add(TriangleMesh& mesh, const Eigen::Vector3d& point_m, const Eigen::Vector3d& normal) {
     mesh.points_m.emplace_back(point_m.cast<float>());
@@ -24,7 +24,7 @@ void addTriangle(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint
 }
 
 Eigen::Vector3d onCircle(std::uint32_t side) {
-    const double turn_rad = 2.0 * std::numbers::pi * side / kSides;
+    const double turn_rad = 2.0 * std::numbers::pi * side / kFineSides;
     return {std::cos(turn_rad), std::sin(turn_rad), 0.0};
 }
 
@@ -74,9 +74,9 @@ TriangleMesh boxMesh(const Eigen::Vector3d& sides_m) {
 TriangleMesh cylinderMesh(double radius_m, double length_m) {
     TriangleMesh mesh;
     const Eigen::Vector3d up(0.0, 0.0, 0.5 * length_m);
-    for (std::uint32_t side = 0; side < kSides; ++side) {
+    for (std::uint32_t side = 0; side < kFineSides; ++side) {
         const Eigen::Vector3d here = onCircle(side);
-        const Eigen::Vector3d next = onCircle((side + 1) % kSides);
+        const Eigen::Vector3d next = onCircle((side + 1) % kFineSides);
         const std::uint32_t a = add(mesh, radius_m * here - up, here);
         const std::uint32_t b = add(mesh, radius_m * next - up, next);
         const std::uint32_t c = add(mesh, radius_m * next + up, next);
@@ -87,9 +87,10 @@ TriangleMesh cylinderMesh(double radius_m, double length_m) {
     for (const double end : {-1.0, 1.0}) {
         const Eigen::Vector3d normal(0.0, 0.0, end);
         const std::uint32_t middle = add(mesh, end * up, normal);
-        for (std::uint32_t side = 0; side < kSides; ++side) {
+        for (std::uint32_t side = 0; side < kFineSides; ++side) {
             const std::uint32_t here = add(mesh, radius_m * onCircle(side) + end * up, normal);
-            const std::uint32_t next = add(mesh, radius_m * onCircle((side + 1) % kSides) + end * up, normal);
+            const std::uint32_t next =
+                add(mesh, radius_m * onCircle((side + 1) % kFineSides) + end * up, normal);
             addTriangle(mesh, middle, end > 0.0 ? here : next, end > 0.0 ? next : here);
         }
     }
@@ -98,21 +99,21 @@ TriangleMesh cylinderMesh(double radius_m, double length_m) {
 
 TriangleMesh sphereMesh(double radius_m) {
     TriangleMesh mesh;
-    for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
-        const double polar_rad = std::numbers::pi * ring / kRings;
-        for (std::uint32_t side = 0; side <= kSides; ++side) {
-            const Eigen::Vector3d out = std::sin(polar_rad) * onCircle(side % kSides) +
+    for (std::uint32_t ring = 0; ring <= kFineRings; ++ring) {
+        const double polar_rad = std::numbers::pi * ring / kFineRings;
+        for (std::uint32_t side = 0; side <= kFineSides; ++side) {
+            const Eigen::Vector3d out = std::sin(polar_rad) * onCircle(side % kFineSides) +
                                         std::cos(polar_rad) * Eigen::Vector3d::UnitZ();
             add(mesh, radius_m * out, out);
         }
     }
-    for (std::uint32_t ring = 0; ring < kRings; ++ring)
-        for (std::uint32_t side = 0; side < kSides; ++side) {
-            const std::uint32_t above = ring * (kSides + 1) + side;
-            const std::uint32_t below = above + kSides + 1;
+    for (std::uint32_t ring = 0; ring < kFineRings; ++ring)
+        for (std::uint32_t side = 0; side < kFineSides; ++side) {
+            const std::uint32_t above = ring * (kFineSides + 1) + side;
+            const std::uint32_t below = above + kFineSides + 1;
             if (ring > 0)
                 addTriangle(mesh, above, below, above + 1);
-            if (ring + 1 < kRings)
+            if (ring + 1 < kFineRings)
                 addTriangle(mesh, above + 1, below, below + 1);
         }
     return mesh;

@@ -22,13 +22,13 @@ namespace teleta::cli {
 namespace {
 
 using vision::Calibration;
-using vision::CameraFile;
 
 struct CalibrateText {
     Q_DECLARE_TR_FUNCTIONS(CalibrateCommand)
 };
 
-nlohmann::ordered_json toJson(const Calibration& calibration, const CameraFile& file, double holeFactor) {
+nlohmann::ordered_json toJson(const Calibration& calibration, const vision::CameraFile& file,
+                              double holeFactor) {
     const auto timesHoleFactor = [&](double vision::SurfaceFactor::*value) -> nlohmann::ordered_json {
         if (!calibration.surfaceFactor)
             return nullptr;
@@ -152,7 +152,7 @@ public:
         }
         if (interrupted())
             return core::Unexpected(interruption());
-        const CameraFile file{calibration->camera, vision::summaryOf(*calibration)};
+        const vision::CameraFile file{calibration->camera, vision::summaryOf(*calibration)};
         if (!m_residualsPath.empty())
             TELETA_CHECK(vision::writeResiduals(pairs, *calibration, m_residualsPath));
         if (!m_outPath.empty()) {

@@ -17,7 +17,7 @@ namespace teleta::cli {
 
 namespace {
 
-constexpr std::int64_t kCommandPeriod_ns = 20'000'000;
+constexpr std::int64_t kChainPeriod_ns = 20'000'000;
 
 /// The operator's hand.
 class Hand {
@@ -54,7 +54,7 @@ public:
             letGo();
         if (now_ns < m_nextCommand_ns)
             return;
-        m_nextCommand_ns = now_ns + kCommandPeriod_ns;
+        m_nextCommand_ns = now_ns + kChainPeriod_ns;
         core::ArmCommand command;
         command.rate_radPerS = core::JointVector::zeros(m_target.arm().description().joints());
         command.rate_radPerS[m_joint] = m_held ? m_direction * m_rate : 0.0;

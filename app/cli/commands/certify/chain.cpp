@@ -60,7 +60,7 @@ sd_N = 0.015
 /// Of all contacts together, at which the motors are fully on.
 constexpr double kFullForce_N = 20.0;
 constexpr double kLeast = 0.3; ///< so that a light touch counts as "on", too
-constexpr auto kLook = std::chrono::milliseconds(20);
+constexpr auto kLookAtChain = std::chrono::milliseconds(20);
 
 /// Tells what changes.
 class Reporter {
@@ -131,7 +131,7 @@ core::Expected<void> runChain(const ChainOptions& options) {
         CommandReader commands;
         Reporter reporter;
         while (!interrupted() && !commands.closed()) {
-            wakeup.waitFor(kLook);
+            wakeup.waitFor(kLookAtChain);
             while (const std::optional<std::string> command = commands.next()) {
                 if (*command == "go")
                     player.startLive();

@@ -10,7 +10,7 @@ namespace teleta::cli {
 
 void say(const std::string& line) {
     const std::string text = line + '\n';
-    (void)!write(STDOUT_FILENO, text.data(), text.size());
+    (void)!::write(STDOUT_FILENO, text.data(), text.size());
 }
 
 CommandReader::CommandReader() {

@@ -116,7 +116,7 @@ ChainProcess::~ChainProcess() {
 
 void ChainProcess::say(std::string line) {
     line += '\n';
-    (void)!write(m_commands.get(), line.data(), line.size());
+    (void)!::write(m_commands.get(), line.data(), line.size());
 }
 
 void ChainProcess::signal(int signal) const {

@@ -47,7 +47,7 @@ struct RosText {
 constexpr std::chrono::milliseconds kDiscovery{2500};
 constexpr std::chrono::seconds kTopicWait{5};
 /// Between looks for an interruption.
-constexpr std::chrono::milliseconds kLook{50};
+constexpr std::chrono::milliseconds kWaitAtMost{50};
 
 /// What writers of a topic offer: "reliable", "best_effort" or, of several that differ, "mixed".
 template <typename Value>
@@ -131,7 +131,7 @@ private:
                 return true;
             if (Clock::now() >= end)
                 return false;
-            waitSet.wait(std::chrono::nanoseconds(kLook).count());
+            waitSet.wait(std::chrono::nanoseconds(kWaitAtMost).count());
         }
         return false;
     }
@@ -306,7 +306,7 @@ private:
             if (reader.takeAny(print) > 0)
                 output.flush();
             else
-                waitSet.wait(std::chrono::nanoseconds(kLook).count());
+                waitSet.wait(std::chrono::nanoseconds(kWaitAtMost).count());
         }
         if (m_json)
             output.write("\n]\n");

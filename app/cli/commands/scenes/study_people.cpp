@@ -26,10 +26,6 @@ struct PeopleText {
     Q_DECLARE_TR_FUNCTIONS(StudyPeople)
 };
 
-nlohmann::ordered_json textOrNull(const std::string& text) {
-    return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
-}
-
 } // namespace
 
 void StudyPeople::declareCommon(CLI::App& app) {

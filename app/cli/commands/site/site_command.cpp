@@ -46,10 +46,6 @@ std::string roleOf(const site_keys::KeyMember& member) {
     return "viewer";
 }
 
-nlohmann::ordered_json orNull(const std::string& text) {
-    return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-}
-
 QString orDash(const std::string& text) {
     return text.empty() ? QStringLiteral("-") : QString::fromStdString(text);
 }
@@ -138,15 +134,15 @@ private:
         nlohmann::ordered_json members = nlohmann::ordered_json::array();
         for (const site_keys::KeyMember& one : report.members)
             members.push_back({{"name", one.name},
-                               {"role", orNull(roleOf(one))},
-                               {"subject", orNull(one.subject)},
-                               {"ends", orNull(timeOf(one))}});
+                               {"role", textOrNull(roleOf(one))},
+                               {"subject", textOrNull(one.subject)},
+                               {"ends", textOrNull(timeOf(one))}});
         nlohmann::ordered_json findings = nlohmann::ordered_json::array();
         for (const site_keys::KeyFinding& one : report.findings)
             findings.push_back(
-                {{"file", orNull(one.file)}, {"refused", one.refused}, {"message", one.message}});
+                {{"file", textOrNull(one.file)}, {"refused", one.refused}, {"message", one.message}});
         return printDocument({{"usable", report.usable()},
-                              {"site", orNull(report.site)},
+                              {"site", textOrNull(report.site)},
                               {"members", members},
                               {"findings", findings}});
     }

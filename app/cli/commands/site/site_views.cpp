@@ -43,7 +43,7 @@ struct CliSiteText {
     Q_DECLARE_TR_FUNCTIONS(CliSiteText)
 };
 
-constexpr std::chrono::milliseconds kLook{20};
+constexpr std::chrono::milliseconds kLookAtSite{20};
 /// Other programs repeat what they are within 2 s; a site tells its state at once.
 constexpr std::int64_t kDiscovery_ns = 3'000'000'000;
 constexpr double kPerNs = 1e-9;
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] double now_s() const { return core::elapsed_s(m_start_ns, core::steadyNow_ns()); }
     /// Waits a little; false once the command is over.
     [[nodiscard]] bool goesOn() const {
-        std::this_thread::sleep_for(kLook);
+        std::this_thread::sleep_for(kLookAtSite);
         return !interrupted() && !(m_time_s && now_s() >= *m_time_s);
     }
 
@@ -118,7 +118,7 @@ core::Expected<void> listSites(const SiteOptions& options) {
     TELETA_TRY(const auto discovery, dds::Discovery::open(participant));
     std::map<std::string, FoundSite> sites;
     for (const std::int64_t end_ns = core::steadyNow_ns() + kDiscovery_ns;
-         core::steadyNow_ns() < end_ns && !interrupted(); std::this_thread::sleep_for(kLook)) {
+         core::steadyNow_ns() < end_ns && !interrupted(); std::this_thread::sleep_for(kLookAtSite)) {
         for (const dds::FoundEnd& end : discovery.ends()) {
             const std::optional<std::string> name = site_link::siteOfInfo(end.ddsTopic);
             if (!name || !end.writes || sites.contains(*name))
@@ -236,7 +236,7 @@ core::Expected<void> recordSite(const SiteOptions& options) {
             if (event.channel)
                 channels.emplace_back(names.at(event.key), event.channel);
         }
-        std::this_thread::sleep_for(kLook);
+        std::this_thread::sleep_for(kLookAtSite);
     }
     if (interrupted())
         return core::Unexpected(interruption());

@@ -16,7 +16,7 @@ namespace teleta::console {
 
 namespace {
 
-using Kind = core::TriggerSettings::Kind;
+using TriggerKind = core::TriggerSettings::Kind;
 
 constexpr double kLongestPulse_ms = 1000.0;
 
@@ -63,11 +63,11 @@ TriggerEditor::TriggerEditor(const core::TriggerSettings& settings, QWidget* par
 
 core::TriggerSettings TriggerEditor::settings() const {
     core::TriggerSettings settings = m_settings;
-    settings.kind = static_cast<Kind>(m_kind->currentIndex());
-    if (settings.kind == Kind::serial) {
+    settings.kind = static_cast<TriggerKind>(m_kind->currentIndex());
+    if (settings.kind == TriggerKind::serial) {
         settings.device = m_device->text().trimmed().toStdString();
         settings.pulse_ms = m_pulse_ms->value();
-    } else if (settings.kind == Kind::osc) {
+    } else if (settings.kind == TriggerKind::osc) {
         settings.host = m_host->text().trimmed().toStdString();
         settings.port = static_cast<std::uint16_t>(m_port->value());
     }
@@ -75,11 +75,11 @@ core::TriggerSettings TriggerEditor::settings() const {
 }
 
 void TriggerEditor::showFields() {
-    const auto kind = static_cast<Kind>(m_kind->currentIndex());
+    const auto kind = static_cast<TriggerKind>(m_kind->currentIndex());
     for (QWidget* field : std::initializer_list<QWidget*>{m_device, m_pulse_ms})
-        field->setVisible(kind == Kind::serial);
+        field->setVisible(kind == TriggerKind::serial);
     for (QWidget* field : std::initializer_list<QWidget*>{m_host, m_port})
-        field->setVisible(kind == Kind::osc);
+        field->setVisible(kind == TriggerKind::osc);
 }
 
 } // namespace teleta::console

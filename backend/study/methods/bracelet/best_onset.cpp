@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/methods/bracelet/best_onset.h"
 
+#include "backend/core/quantile.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -15,9 +17,8 @@ namespace {
 constexpr int kMostTurns = 100;
 constexpr double kSettled = 1e-12;
 constexpr double kSmallestShare = 1e-12;
-constexpr double kNormal95 = 1.959963984540054;
 
-double normalShare(double z) {
+double inwardNormalShare(double z) {
     return std::clamp(0.5 * std::erfc(-z / std::numbers::sqrt2), kSmallestShare, 1.0 - kSmallestShare);
 }
 
@@ -58,7 +59,7 @@ BestOnset bestOnset(std::span<const OnsetCount> counts) {
         for (Eigen::Index i = 0; i < rows; ++i) {
             const OnsetCount& count = counts[static_cast<std::size_t>(i)];
             const double z = design.row(i).dot(slope);
-            const double share = normalShare(z);
+            const double share = inwardNormalShare(z);
             const double density = normalDensity(z);
             const double weight = density / (share * (1.0 - share));
             information += count.trials * weight * density * design.row(i).transpose() * design.row(i);
@@ -90,11 +91,11 @@ BestOnset bestOnset(std::span<const OnsetCount> counts) {
     }
     best.onset_s = top * unit_s;
     best.se_s = se_s;
-    best.low_s = best.onset_s - kNormal95 * best.se_s;
-    best.high_s = best.onset_s + kNormal95 * best.se_s;
+    best.low_s = best.onset_s - core::kNormalQuantile95 * best.se_s;
+    best.high_s = best.onset_s + core::kNormalQuantile95 * best.se_s;
     for (Eigen::Index i = 0; i < rows; ++i) {
         const OnsetCount& count = counts[static_cast<std::size_t>(i)];
-        const double expected = count.trials * normalShare(design.row(i).dot(slope));
+        const double expected = count.trials * inwardNormalShare(design.row(i).dot(slope));
         best.deviance +=
             2.0 * (term(count.yes, expected) + term(count.trials - count.yes, count.trials - expected));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/methods/detection/signal_detection.h"
 
+#include "backend/core/quantile.h"
+
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
@@ -12,7 +14,6 @@ namespace teleta::study {
 
 namespace {
 
-constexpr double kNormal95 = 1.959963984540054;
 /// No log-linear rate of fewer than 10^12 trials needs a larger one.
 constexpr double kMostSensitivity = 20.0;
 
@@ -83,7 +84,8 @@ std::optional<Detection> yesNoDetection(const DetectionCounts& counts) {
     result.criterion = -0.5 * (normalPlace(hit) + normalPlace(falseAlarm));
     const double sd =
         std::sqrt(rateVariance(hit, counts.signalTrials) + rateVariance(falseAlarm, counts.noiseTrials));
-    result.interval = Interval{result.sensitivity - kNormal95 * sd, result.sensitivity + kNormal95 * sd};
+    result.interval = Interval{result.sensitivity - core::kNormalQuantile95 * sd,
+                               result.sensitivity + core::kNormalQuantile95 * sd};
     return result;
 }
 

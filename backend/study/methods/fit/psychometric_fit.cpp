@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backend/study/methods/fit/psychometric_fit.h"
 
+#include "backend/core/quantile.h"
 #include "backend/core/words.h"
 #include "backend/study/methods/fit/fit_resamples.h"
 #include "backend/study/methods/fit/profile_interval.h"
@@ -109,7 +110,7 @@ std::optional<Interval> shareBand(const PsychometricFit& fit, const FitModel& mo
                                               (2.0 * step);
     }
     const double variance = slope.dot(*fit.covariance * slope);
-    const double half = 1.959963984540054 * std::sqrt(std::max(variance, 0.0));
+    const double half = core::kNormalQuantile95 * std::sqrt(std::max(variance, 0.0));
     const double share = curve->shareAt(level);
     return Interval{std::max(0.0, share - half), std::min(1.0, share + half)};
 }
