@@ -272,72 +272,136 @@ endfunction()
 # Runs moc on all headers among these, and compiles its output as one source. AUTOMOC takes many times as long: it and moc also
 # read every header that these include, and it keeps the output out of a unity build.
 function(teleta_moc name)
-    set(folder "${CMAKE_CURRENT_BINARY_DIR}/moc")
+    file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+    teleta_target_of("${folder}" step)
+    set(output "${CMAKE_CURRENT_BINARY_DIR}/moc")
     set(made "")
     set(includes "")
     foreach(source IN LISTS ARGN)
         if(source MATCHES "\\.h$")
             get_filename_component(stem "${source}" NAME_WLE)
             add_custom_command(
-                OUTPUT "${folder}/moc_${stem}.cpp"
-                COMMAND Qt6::moc --no-notes -o "${folder}/moc_${stem}.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
+                OUTPUT "${output}/moc_${stem}.cpp"
+                COMMAND Qt6::moc --no-notes -o "${output}/moc_${stem}.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${source}"
                 DEPENDS "${source}"
                 VERBATIM)
-            list(APPEND made "${folder}/moc_${stem}.cpp")
+            list(APPEND made "${output}/moc_${stem}.cpp")
             string(APPEND includes "#include \"moc/moc_${stem}.cpp\"\n")
         endif()
     endforeach()
-    file(MAKE_DIRECTORY "${folder}")
+    file(MAKE_DIRECTORY "${output}")
     file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp" CONTENT "${includes}" @ONLY)
-    set_source_files_properties(${made} PROPERTIES HEADER_FILE_ONLY ON)
-    target_sources(${name} PRIVATE ${made} "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp")
+    target_sources(${name} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp")
+    # The library may be of another folder, where the commands of this one are not known.
+    add_custom_target(${step}_moc DEPENDS ${made})
+    add_dependencies(${name} ${step}_moc)
 endfunction()
 
-# teleta_library(SOURCES a.cpp a.h ...)
-# The static library of this folder. The module graph says what it links.
+# Most of the compiler's time goes into headers. A unity build reads them once for several sources, and for these folders with all
+# below them, each a library then, also once for several folders. The first that fits counts. What programs load apart stays apart,
+# and so does backend/vision, which gets slower together.
+set(TELETA_GROUPS
+    backend/contact
+    backend/cost
+    backend/mcap
+    backend/pattern
+    backend/pipeline
+    backend/scene_run
+    backend/servo
+    backend/simulation
+    backend/study
+    devices/ros
+    devices/site
+    devices/taxels
+    widgets/base
+    widgets/view3d
+    widgets
+    app/cli/commands/tactile
+    app/cli/commands
+    app/console)
+# With a sanitizer only some folders are built.
+if(NOT TELETA_UNITY OR TELETA_SANITIZE)
+    set(TELETA_GROUPS "")
+endif()
+
+# teleta_group_of(FOLDER VARIABLE): the target of the group of this folder, or nothing.
+function(teleta_group_of folder variable)
+    set(result "")
+    foreach(group IN LISTS TELETA_GROUPS)
+        if("${folder}/" MATCHES "^${group}/" AND NOT result)
+            teleta_target_of("${group}" result)
+            string(APPEND result "_group")
+        endif()
+    endforeach()
+    set(${variable} "${result}" PARENT_SCOPE)
+endfunction()
+
+# teleta_library(SOURCES a.cpp a.h ... [ALONE b.cpp ...])
+# The library of this folder: a static one, or a name for that of its group. The module graph says what it links. A unity build
+# compiles the sources together, except those named ALONE. TELETA_COMPILED is the target that compiles them.
 function(teleta_library)
-    cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;ALONE" ${ARGN})
     file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
     teleta_target_of("${folder}" name)
     get_property(used GLOBAL PROPERTY "teleta_uses_${folder}")
     get_property(libraries GLOBAL PROPERTY "teleta_libraries_${folder}")
-    set(options "")
-    if(ARG_SOURCES MATCHES "\\.cpp")
-        add_library(${name} STATIC ${ARG_SOURCES})
-        set(access PUBLIC)
-        # Most of the compiler's time goes into headers: a unity build reads them once for several sources.
-        set_target_properties(${name} PROPERTIES UNITY_BUILD ${TELETA_UNITY} UNITY_BUILD_BATCH_SIZE 24)
-        if(folder MATCHES "^(widgets|app/console)(/|$)")
-            teleta_moc(${name} ${ARG_SOURCES})
-            teleta_links_widgets("${used}" "${libraries}" links)
-            if(links)
-                set_property(GLOBAL APPEND PROPERTY teleta_with_widgets ${name})
-            endif()
-            if(links AND NOT teleta_vtk IN_LIST libraries)
-                teleta_use_precompiled(${name} gui)
-            endif()
-            set(options teleta_gui_options)
-        elseif(folder MATCHES "^app/cli(/|$)")
-            teleta_use_precompiled(${name} cli)
-            set(options teleta_quick_options)
-        endif()
-        if(folder MATCHES "^app/python/")
-            # Fewer sources at once: each takes long, and their types are hidden as those of pybind11 are.
-            set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden UNITY_BUILD_BATCH_SIZE 4)
-        endif()
-    else()
+    if(NOT ARG_SOURCES MATCHES "\\.cpp")
         add_library(${name} INTERFACE ${ARG_SOURCES})
-        set(access INTERFACE)
+        target_link_libraries(${name} INTERFACE teleta_options ${used} ${libraries})
+        return()
+    endif()
+    teleta_group_of("${folder}" group)
+    if(group)
+        if(NOT TARGET ${group})
+            add_library(${group} STATIC)
+            set_target_properties(${group} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 64)
+        endif()
+        add_library(${name} INTERFACE)
+        target_link_libraries(${name} INTERFACE ${group})
+        get_property(members GLOBAL PROPERTY teleta_members_${group})
+        list(REMOVE_ITEM used ${members})
+        set_property(GLOBAL APPEND PROPERTY teleta_members_${group} ${name})
+        set(compiled ${group})
+        list(TRANSFORM ARG_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE sources)
+        target_sources(${group} PRIVATE ${sources})
+    else()
+        add_library(${name} STATIC ${ARG_SOURCES})
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ${TELETA_UNITY} UNITY_BUILD_BATCH_SIZE 24)
+        set(compiled ${name})
+    endif()
+    set(TELETA_COMPILED ${compiled} PARENT_SCOPE)
+    if(ARG_ALONE)
+        list(TRANSFORM ARG_ALONE PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+        set_source_files_properties(
+            ${ARG_ALONE} TARGET_DIRECTORY ${compiled} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+    set(options "")
+    if(folder MATCHES "^(widgets|app/console)(/|$)")
+        teleta_moc(${compiled} ${ARG_SOURCES})
+        teleta_links_widgets("${used}" "${libraries}" links)
+        if(links)
+            set_property(GLOBAL APPEND PROPERTY teleta_with_widgets ${name})
+        endif()
+        if(links AND NOT folder MATCHES "^widgets/view3d(/|$)")
+            teleta_use_precompiled(${compiled} gui)
+        endif()
+        set(options teleta_gui_options)
+    elseif(folder MATCHES "^app/cli(/|$)")
+        teleta_use_precompiled(${compiled} cli)
+        set(options teleta_quick_options)
+    elseif(folder MATCHES "^app/python/")
+        # Fewer sources at once: each takes long, and their types are hidden as those of pybind11 are.
+        set_target_properties(${compiled} PROPERTIES CXX_VISIBILITY_PRESET hidden UNITY_BUILD_BATCH_SIZE 4)
     endif()
     # VTK stays private: what uses the 3-D view does not compile against it.
     if(teleta_vtk IN_LIST libraries)
         list(REMOVE_ITEM libraries teleta_vtk)
-        target_link_libraries(${name} PRIVATE teleta_vtk)
-        vtk_module_autoinit(TARGETS ${name} MODULES ${TELETA_VTK_MODULES})
+        target_link_libraries(${compiled} PRIVATE teleta_vtk)
+        vtk_module_autoinit(TARGETS ${compiled} MODULES ${TELETA_VTK_MODULES})
     endif()
-    target_link_libraries(${name} ${access} teleta_options ${used} ${libraries})
+    target_link_libraries(${compiled} PUBLIC teleta_options ${used} ${libraries})
     if(options)
-        target_link_libraries(${name} PRIVATE ${options}) # last, so that they override the others
+        target_link_libraries(${compiled} PRIVATE ${options}) # last, so that they override the others
     endif()
 endfunction()
 
@@ -366,9 +430,8 @@ endfunction()
 # the folder, which then brings it along. Those of the backend go with the Python module, too.
 function(teleta_part name)
     file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-    teleta_target_of("${folder}" library)
     teleta_module(${name} ${ARGN})
-    add_dependencies(${library} ${name})
+    add_dependencies(${TELETA_COMPILED} ${name})
     if(folder MATCHES "^backend/")
         set_property(GLOBAL APPEND PROPERTY teleta_parts ${name})
     endif()
