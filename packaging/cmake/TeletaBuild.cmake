@@ -303,7 +303,6 @@ endfunction()
 set(TELETA_GROUPS
     backend/contact
     backend/cost
-    backend/mcap
     backend/pattern
     backend/pipeline
     backend/scene_run
