@@ -35,6 +35,7 @@
 #include "widgets/chrome/recording_indicator.h"
 #include "widgets/chrome/stop_banner.h"
 #include "widgets/chrome/stop_button.h"
+#include "widgets/chrome/stop_reach.h"
 #include "widgets/pattern/pattern_editor.h"
 #include "widgets/view3d/scene3d_view.h"
 
@@ -107,6 +108,7 @@ MainWindow::MainWindow(const ConsoleOptions& options, ConsoleSettings& settings,
     , m_hand(std::make_unique<HandStation>())
     , m_devices(new chrome::DeviceStrip(this))
     , m_stopButton(new chrome::StopButton(this))
+    , m_stopReach(std::make_unique<chrome::StopReach>(*m_stopButton))
     , m_stopBanner(new chrome::StopBanner(this))
     , m_stopCause(chrome::StopCause::program)
     , m_questions(*this, *m_patterns, *m_calibrate, *m_study) {

@@ -25,6 +25,7 @@ class DeviceStrip;
 class PageRail;
 class StopBanner;
 class StopButton;
+class StopReach;
 enum class StopCause;
 } // namespace teleta::chrome
 
@@ -171,6 +172,7 @@ private:
     std::unique_ptr<HandStation> m_hand;
     chrome::DeviceStrip* m_devices;
     chrome::StopButton* m_stopButton;
+    std::unique_ptr<chrome::StopReach> m_stopReach;
     chrome::StopBanner* m_stopBanner;
     chrome::StopCause m_stopCause;
     std::int64_t m_stoppedSince_ns = 0; ///< as shown; 0: not stopped

@@ -48,6 +48,7 @@ void StopButton::setEngaged(bool engaged) {
     m_holdTimer.stop();
     describe();
     update();
+    emit engagedChanged(engaged);
 }
 
 QSize StopButton::sizeHint() const {

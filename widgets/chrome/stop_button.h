@@ -29,6 +29,7 @@ public:
 signals:
     void stopRequested();
     void releaseRequested();
+    void engagedChanged(bool engaged);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
