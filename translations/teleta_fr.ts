@@ -22178,6 +22178,18 @@ Lancez teleta-site --help pour en savoir plus.
         <source>They are left out. Compare [joint_names] in the arm&apos;s file.</source>
         <translation>Elles sont ignorées. Comparez avec [joint_names] dans le fichier du bras.</translation>
     </message>
+    <message>
+        <source>The scene is held.</source>
+        <translation>La scène est maintenue à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Nothing goes on by itself after STOP.</source>
+        <translation>Après STOP, rien ne reprend de soi-même.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Exécuter</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -27257,16 +27269,16 @@ Double-cliquez pour saisir la borne supérieure.</translation>
         <translation>Forme</translation>
     </message>
     <message>
-        <source>Highest force</source>
-        <translation>Force maximale</translation>
-    </message>
-    <message>
         <source>When its first touch began, as in Touches</source>
         <translation>Début de son premier contact, comme dans Contacts</translation>
     </message>
     <message>
         <source>The highest force of all its touches, from the torques of the joints</source>
         <translation>La plus grande force de tous ses contacts, d’après les couples des articulations</translation>
+    </message>
+    <message>
+        <source>Force when evaluated</source>
+        <translation>Force à l’évaluation</translation>
     </message>
 </context>
 <context>

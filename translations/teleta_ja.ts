@@ -22115,6 +22115,18 @@ Run teleta-site --help for more.
         <source>They are left out. Compare [joint_names] in the arm&apos;s file.</source>
         <translation>これらは無視されます。アームのファイルの [joint_names] と比べてください。</translation>
     </message>
+    <message>
+        <source>The scene is held.</source>
+        <translation>シーンは停止したままです。</translation>
+    </message>
+    <message>
+        <source>Nothing goes on by itself after STOP.</source>
+        <translation>STOP の後は何も自動では再開しません。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -27181,16 +27193,16 @@ Double-click to type the upper end.</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>Highest force</source>
-        <translation>最大の力</translation>
-    </message>
-    <message>
         <source>When its first touch began, as in Touches</source>
         <translation>「接触」と同じ、最初の接触が始まった時刻</translation>
     </message>
     <message>
         <source>The highest force of all its touches, from the torques of the joints</source>
         <translation>関節のトルクから求めた、すべての接触のうち最大の力</translation>
+    </message>
+    <message>
+        <source>Force when evaluated</source>
+        <translation>評価時の力</translation>
     </message>
 </context>
 <context>

@@ -22115,6 +22115,18 @@ Run teleta-site --help for more.
         <source>They are left out. Compare [joint_names] in the arm&apos;s file.</source>
         <translation>它们被忽略。请与机械臂文件中的 [joint_names] 比较。</translation>
     </message>
+    <message>
+        <source>The scene is held.</source>
+        <translation>场景保持停止。</translation>
+    </message>
+    <message>
+        <source>Nothing goes on by itself after STOP.</source>
+        <translation>STOP 之后，任何东西都不会自行继续。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::PairEntry</name>
@@ -27181,16 +27193,16 @@ Double-click to type the upper end.</source>
         <translation>形状</translation>
     </message>
     <message>
-        <source>Highest force</source>
-        <translation>最大力</translation>
-    </message>
-    <message>
         <source>When its first touch began, as in Touches</source>
         <translation>其首次触碰开始的时间，与“触碰”中相同</translation>
     </message>
     <message>
         <source>The highest force of all its touches, from the torques of the joints</source>
         <translation>其所有触碰中由关节力矩得出的最大力</translation>
+    </message>
+    <message>
+        <source>Force when evaluated</source>
+        <translation>评估时的力</translation>
     </message>
 </context>
 <context>

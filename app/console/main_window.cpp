@@ -439,6 +439,7 @@ void MainWindow::showStop() {
     if (since_ns == 0) {
         m_stopCause = chrome::StopCause::program;
         m_stopBanner->release();
+        m_operate->onStopReleased();
         return;
     }
     log.append(Severity::warning, tr("STOP. %1", "cause").arg(chrome::StopBanner::sentence(m_stopCause)));

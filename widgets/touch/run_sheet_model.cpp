@@ -228,8 +228,16 @@ QVariant RunSheetModel::data(const QModelIndex& index, int role) const {
 }
 
 QStringList RunSheetModel::titles() const {
-    return {tr("No."),     tr("Name"),          tr("Found at"),  tr("Place x, y"), tr("Touches"),
-            tr("Contact"), tr("Highest force"), tr("Stiffness"), tr("Material"),   tr("Shape")};
+    return {tr("No."),
+            tr("Name"),
+            tr("Found at"),
+            tr("Place x, y"),
+            tr("Touches"),
+            tr("Contact"),
+            tr("Force when evaluated"),
+            tr("Stiffness"),
+            tr("Material"),
+            tr("Shape")};
 }
 
 QVariant RunSheetModel::headerData(int section, Qt::Orientation orientation, int role) const {

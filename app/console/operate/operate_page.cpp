@@ -480,6 +480,16 @@ void OperatePage::restartProgram() {
         item->channel->restartProgram();
 }
 
+void OperatePage::onStopReleased() {
+    if (!hasProgram() || m_arm->joints() || m_servo->servo())
+        return;
+    messages().post({chrome::Message::Severity::information,
+                     tr("The scene is held."),
+                     tr("Nothing goes on by itself after STOP."),
+                     QString(),
+                     {{tr("Run"), [this] { setProgramRunning(true); }}}});
+}
+
 void OperatePage::startPlayback() {
     core::PlaybackControl* control = playback();
     if (control == nullptr)

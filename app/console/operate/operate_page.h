@@ -84,6 +84,9 @@ public:
     [[nodiscard]] bool hasProgram() const;
     void setProgramRunning(bool running);
     void restartProgram();
+    /// A scene stays held after STOP. Arms and servo scenes have *Run* in their view; for others a notice
+    /// offers it.
+    void onStopReleased();
     void retranslate();
 
 signals:

@@ -490,6 +490,8 @@ study::ParticipantScene StudyScenes::participant(const StudyController& controll
         scene.presented = last->planned.stimulus;
     switch (flow.hold()) {
     case Hold::stopped:
+        scene.state = controller.isStopped() ? State::stopped : State::paused;
+        return scene;
     case Hold::deviceLost:
         scene.state = State::stopped;
         return scene;

@@ -35,6 +35,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <algorithm>
 #include <memory>
@@ -307,6 +308,32 @@ private slots:
         QTRY_VERIFY(!banner->isVisible());
         QTRY_VERIFY(chrome::MessageLog::instance().asText().contains("STOP. Esc was pressed twice."));
         QTRY_VERIFY(chrome::MessageLog::instance().asText().contains("STOP was released after"));
+    }
+
+    void aSceneThatStopHoldsOffersToRun() {
+        ConsoleOptions options;
+        options.scenes = {":/scenes/tactile-two-contacts.toml"};
+        openWindow(options);
+        QTRY_VERIFY(showsData());
+        m_stop->engage();
+        QTRY_VERIFY(child<chrome::StopBanner>()->isVisible());
+        m_stop->release();
+        const auto button = [this] {
+            for (auto* action : m_window->findChildren<QToolButton*>("action"))
+                if (action->isVisible() && action->text().remove(u'&') == QStringLiteral("Run"))
+                    return action;
+            return static_cast<QToolButton*>(nullptr);
+        };
+        QTRY_VERIFY(button() != nullptr);
+        const auto load_N = [this] {
+            const auto& touch =
+                dynamic_cast<const pipeline::TouchChannel&>(*m_window->sources().active()->channel);
+            return touch.snapshot().features.force_N;
+        };
+        const double held_N = load_N();
+        QTest::mouseClick(button(), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(load_N() - held_N) > 0.5, 20'000);
+        QTRY_VERIFY(button() == nullptr);
     }
 
     void opensNoLargerThanItsScreen() {

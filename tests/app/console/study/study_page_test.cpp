@@ -250,6 +250,7 @@ private slots:
         m_stop->release();
         QTRY_VERIFY_WITH_TIMEOUT(nextButton()->isEnabled(), kPatience_ms);
         QTRY_VERIFY(sessionPanel().scene().state.startsWith(QStringLiteral("STOP is released")));
+        QTRY_VERIFY(window()->instruction().startsWith(QStringLiteral("Pause")));
         QCOMPARE(sessionPanel().scene().tone, study::Tone::attention);
         QTest::mouseClick(nextButton(), Qt::LeftButton);
         QCOMPARE(runner().hold(), Hold::none);
