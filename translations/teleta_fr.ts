@@ -21783,12 +21783,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Instants que quelqu’un a marqués dans l’enregistrement. Double-cliquez sur un texte ou appuyez sur Entrée pour le saisir&#xa0;; Suppr retire une marque, Ctrl+Z annule. Dans un enregistrement en cours de lecture, un double clic sur une marque y mène.</translation>
     </message>
     <message>
-        <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
-        <translation>Pas encore de marque. Pendant un enregistrement, M en pose une ; saisissez ensuite ce que c’était.</translation>
-    </message>
-    <message>
         <source>This recording is played: Enter goes to a mark. Marks are named while they are recorded, or afterwards beside the source that was recorded.</source>
         <translation>Cet enregistrement est lu : Entrée va à une marque. Les marques se nomment pendant l’enregistrement, ou après lui à côté de la source enregistrée.</translation>
+    </message>
+    <message>
+        <source>No marks yet. While something is recorded, M sets one. Press Enter on it to type what it was.</source>
+        <translation>Pas encore de marque. Pendant un enregistrement, M en pose une. Appuyez sur Entrée sur cette marque pour saisir ce que c’était.</translation>
     </message>
 </context>
 <context>

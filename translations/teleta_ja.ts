@@ -21721,12 +21721,12 @@ Run teleta-site --help for more.
         <translation>記録中に付けられたマークの時点です。テキストをダブルクリックするかEnterを押すと入力でき、Deleteでマークを削除、Ctrl+Zで元に戻します。再生中の記録では、マークをダブルクリックするとそこへ移動します。</translation>
     </message>
     <message>
-        <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
-        <translation>マークはまだありません。記録中にMでマークを付け、内容を入力します。</translation>
-    </message>
-    <message>
         <source>This recording is played: Enter goes to a mark. Marks are named while they are recorded, or afterwards beside the source that was recorded.</source>
         <translation>この記録は再生中です。Enterでマークに移動します。マークの名前は、記録中、または記録後に元のソースを表示して付けます。</translation>
+    </message>
+    <message>
+        <source>No marks yet. While something is recorded, M sets one. Press Enter on it to type what it was.</source>
+        <translation>マークはまだありません。記録中にMでマークを付けます。内容はそのマークでEnterを押して入力します。</translation>
     </message>
 </context>
 <context>

@@ -21721,12 +21721,12 @@ Run teleta-site --help for more.
         <translation>记录中被标记的时刻。双击文字或按 Enter 可输入，Delete 删除标记，Ctrl+Z 撤销。在回放的记录中，双击标记可跳转到该处。</translation>
     </message>
     <message>
-        <source>No marks yet. While something is recorded, M sets one; then type what it was.</source>
-        <translation>还没有标记。记录时按 M 添加标记，然后输入其内容。</translation>
-    </message>
-    <message>
         <source>This recording is played: Enter goes to a mark. Marks are named while they are recorded, or afterwards beside the source that was recorded.</source>
         <translation>正在回放此记录：按 Enter 跳到标记。标记在记录期间命名，或在记录之后于所记录的数据源旁命名。</translation>
+    </message>
+    <message>
+        <source>No marks yet. While something is recorded, M sets one. Press Enter on it to type what it was.</source>
+        <translation>还没有标记。记录时按 M 添加标记。在该标记上按 Enter 输入其内容。</translation>
     </message>
 </context>
 <context>

@@ -163,7 +163,8 @@ void MarkList::retranslate() {
     m_table->horizontalHeaderItem(timeColumn)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_table->horizontalHeaderItem(textColumn)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->setAccessibleName(tr("Marks"));
-    m_hint->setText(tr("No marks yet. While something is recorded, M sets one; then type what it was."));
+    m_hint->setText(
+        tr("No marks yet. While something is recorded, M sets one. Press Enter on it to type what it was."));
     m_fixed->setText(
         tr("This recording is played: Enter goes to a mark. Marks are named while they are recorded, or "
            "afterwards beside the source that was recorded."));
