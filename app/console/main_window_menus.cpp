@@ -21,6 +21,7 @@
 #include "widgets/base/mnemonics.h"
 #include "widgets/chrome/start/first_steps.h"
 #include "widgets/chrome/start/recent_list.h"
+#include "widgets/chrome/stop_banner.h"
 #include "widgets/pattern/pattern_editor.h"
 
 #include <QActionGroup>

@@ -4,6 +4,7 @@
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/recorded/recorded_camera.h"
 #include "backend/pipeline/recorded/recorded_gel.h"
+#include "backend/pipeline/touch/frame_loads.h"
 #include "backend/recording/event_words.h"
 #include "backend/recording/recorder.h"
 #include "backend/vision/finders/picture_view.h"

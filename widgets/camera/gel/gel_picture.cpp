@@ -5,6 +5,7 @@
 #include "backend/vision/gel/slip_monitor.h"
 #include "widgets/base/colour_maps.h"
 #include "widgets/base/numbers/moment_unit.h"
+#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/numbers/quantity_text.h"
 #include "widgets/base/numbers/steady_estimate.h"
 #include "widgets/base/theme.h"
