@@ -2,6 +2,7 @@
 #include "widgets/signal/signals_mime.h"
 
 #include <QDataStream>
+#include <QIODevice>
 #include <QMimeData>
 #include <QStringList>
 
