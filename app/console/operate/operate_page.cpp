@@ -481,13 +481,11 @@ void OperatePage::restartProgram() {
 }
 
 void OperatePage::onStopReleased() {
-    if (!hasProgram() || m_arm->joints() || m_servo->servo())
-        return;
-    messages().post({chrome::Message::Severity::information,
-                     tr("The scene is held."),
-                     tr("Nothing goes on by itself after STOP."),
-                     QString(),
-                     {{tr("Run"), [this] { setProgramRunning(true); }}}});
+    if (hasProgram() && !m_arm->joints() && !m_servo->servo())
+        messages().post({.text = tr("The scene is held."),
+                         .advice = tr("Nothing goes on by itself after STOP."),
+                         .details = {},
+                         .actions = {{tr("Run"), [this] { setProgramRunning(true); }}}});
 }
 
 void OperatePage::startPlayback() {

@@ -494,8 +494,9 @@ void StudyPage::tick() {
     m_controller.tick();
     if (isVisible() && m_controller.overview())
         showSession();
-    // A rest counts down.
-    if (m_controller.runner().hold() == study::Hold::rest)
+    // A rest counts down, and STOP is released while the session still waits.
+    if (const study::Hold hold = m_controller.runner().hold();
+        hold == study::Hold::rest || hold == study::Hold::stopped)
         m_participant->setScene(StudyScenes::participant(m_controller));
 }
 

@@ -35,7 +35,6 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
 
 #include <algorithm>
 #include <memory>
@@ -319,16 +318,15 @@ private slots:
         QTRY_VERIFY(child<chrome::StopBanner>()->isVisible());
         m_stop->release();
         const auto button = [this] {
-            for (auto* action : m_window->findChildren<QToolButton*>("action"))
+            for (auto* action : m_window->findChildren<QAbstractButton*>("action"))
                 if (action->isVisible() && action->text().remove(u'&') == QStringLiteral("Run"))
                     return action;
-            return static_cast<QToolButton*>(nullptr);
+            return static_cast<QAbstractButton*>(nullptr);
         };
         QTRY_VERIFY(button() != nullptr);
         const auto load_N = [this] {
-            const auto& touch =
-                dynamic_cast<const pipeline::TouchChannel&>(*m_window->sources().active()->channel);
-            return touch.snapshot().features.force_N;
+            auto& channel = *m_window->sources().active()->channel;
+            return dynamic_cast<pipeline::TouchChannel&>(channel).snapshot().features.force_N;
         };
         const double held_N = load_N();
         QTest::mouseClick(button(), Qt::LeftButton);
