@@ -31,9 +31,12 @@ bool StopReach::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
     case QEvent::MouseButtonPress:
         // One press passes several objects: from the second on it is stopped already.
-        if (QApplication::activePopupWidget() != nullptr && !m_button.engaged() &&
-            covers(static_cast<QMouseEvent*>(event)->globalPosition().toPoint()))
-            emit m_button.stopRequested();
+        if (const QWidget* popup = QApplication::activePopupWidget();
+            popup != nullptr && !m_button.engaged()) {
+            const QPoint global = static_cast<QMouseEvent*>(event)->globalPosition().toPoint();
+            if (covers(global) && !popup->geometry().contains(global))
+                emit m_button.stopRequested();
+        }
         break;
     case QEvent::Show:
     case QEvent::Hide:

@@ -134,6 +134,11 @@ private slots:
         QTRY_VERIFY(QApplication::activePopupWidget() == &menu);
         press(menu, m_window->mapToGlobal(QPoint(300, 200)));
         QCOMPARE(m_stops->size(), 1);
+        // Nor does one on a menu that lies over it.
+        menu.popup(m_button->mapToGlobal(QPoint()));
+        QTRY_VERIFY(QApplication::activePopupWidget() == &menu);
+        press(menu, menu.geometry().center());
+        QCOMPARE(m_stops->size(), 1);
     }
 
     void aPressThatClosesAListStops() {
