@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <ranges>
 #include <span>
@@ -17,6 +18,11 @@ namespace teleta::core {
 
 /// Half width of a 95 % interval in standard errors, normal distribution.
 inline constexpr double kNormalQuantile95 = 1.959963984540054;
+
+/// Share of a normal distribution that lies below z standard deviations.
+[[nodiscard]] inline double normalShare(double z) {
+    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
 
 /// Type 7, the default of R: linear between order statistics. sorted: not empty; probability: 0..1.
 [[nodiscard]] inline double quantileOf(std::span<const double> sorted, double probability) {

@@ -18,8 +18,8 @@ constexpr int kMostTurns = 100;
 constexpr double kSettled = 1e-12;
 constexpr double kSmallestShare = 1e-12;
 
-double inwardNormalShare(double z) {
-    return std::clamp(0.5 * std::erfc(-z / std::numbers::sqrt2), kSmallestShare, 1.0 - kSmallestShare);
+double clampedNormalShare(double z) {
+    return std::clamp(core::normalShare(z), kSmallestShare, 1.0 - kSmallestShare);
 }
 
 double normalDensity(double z) {
@@ -59,7 +59,7 @@ BestOnset bestOnset(std::span<const OnsetCount> counts) {
         for (Eigen::Index i = 0; i < rows; ++i) {
             const OnsetCount& count = counts[static_cast<std::size_t>(i)];
             const double z = design.row(i).dot(slope);
-            const double share = inwardNormalShare(z);
+            const double share = clampedNormalShare(z);
             const double density = normalDensity(z);
             const double weight = density / (share * (1.0 - share));
             information += count.trials * weight * density * design.row(i).transpose() * design.row(i);
@@ -95,7 +95,7 @@ BestOnset bestOnset(std::span<const OnsetCount> counts) {
     best.high_s = best.onset_s + core::kNormalQuantile95 * best.se_s;
     for (Eigen::Index i = 0; i < rows; ++i) {
         const OnsetCount& count = counts[static_cast<std::size_t>(i)];
-        const double expected = count.trials * inwardNormalShare(design.row(i).dot(slope));
+        const double expected = count.trials * clampedNormalShare(design.row(i).dot(slope));
         best.deviance +=
             2.0 * (term(count.yes, expected) + term(count.trials - count.yes, count.trials - expected));
     }

@@ -21,10 +21,6 @@ double phi(double z) {
     return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
 }
 
-double normalShare(double z) {
-    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
-}
-
 double normalPlace(double share) {
     return boost::math::quantile(boost::math::normal(), share);
 }
@@ -67,7 +63,7 @@ double shareOfIntervals(double sensitivity, int intervals) {
     double sum = 0.0;
     for (int i = -kSteps; i <= kSteps; ++i) {
         const double u = sensitivity + i * kStep;
-        sum += phi(i * kStep) * std::pow(normalShare(u), intervals - 1);
+        sum += phi(i * kStep) * std::pow(core::normalShare(u), intervals - 1);
     }
     return sum * kStep;
 }
@@ -129,13 +125,13 @@ std::optional<double> sameDifferentSensitivity(double hitRate, double falseAlarm
     if (hitRate <= falseAlarmRate)
         return 0.0;
     if (rule == SameDifferentRule::independent) {
-        const double right = normalShare(0.5 * (normalPlace(hitRate) - normalPlace(falseAlarmRate)));
+        const double right = core::normalShare(0.5 * (normalPlace(hitRate) - normalPlace(falseAlarmRate)));
         return 2.0 * normalPlace(0.5 * (1.0 + std::sqrt(2.0 * right - 1.0)));
     }
     const double limit = -std::numbers::sqrt2 * normalPlace(0.5 * falseAlarmRate);
     const auto share = [&](double d) {
-        return normalShare((d - limit) / std::numbers::sqrt2) +
-               normalShare((-d - limit) / std::numbers::sqrt2);
+        return core::normalShare((d - limit) / std::numbers::sqrt2) +
+               core::normalShare((-d - limit) / std::numbers::sqrt2);
     };
     return solve(share, hitRate, 0.0, 2.0 * kMostSensitivity);
 }
