@@ -14,11 +14,10 @@ StopReach::StopReach(StopButton& button)
     : m_button(button) {
     qApp->installEventFilter(this);
     connect(qApp, &QGuiApplication::focusWindowChanged, this, [this](const QWindow* window) {
-        const bool isElsewhere =
-            window != nullptr && (window == m_button.window()->windowHandle() ||
-                                  (m_substitute != nullptr && window == m_substitute->windowHandle()));
-        if (m_dialog != nullptr && isElsewhere)
-            m_dialog->activateWindow();
+        if (const StopButton* other = m_substitute;
+            other != nullptr && window != nullptr &&
+            (window == m_button.window()->windowHandle() || window == other->windowHandle()))
+            other->parentWidget()->activateWindow();
     });
 }
 
@@ -60,14 +59,12 @@ bool StopReach::eventFilter(QObject* watched, QEvent* event) {
 void StopReach::follow() {
     QWidget* dialog = QApplication::activeModalWidget();
     const bool needed = dialog != nullptr && m_button.isVisible() && dialog != m_button.window();
-    if (!needed || dialog != m_dialog) {
-        delete m_substitute;
-        m_dialog = nullptr;
-    }
+    if (const StopButton* other = m_substitute;
+        other != nullptr && (!needed || dialog != other->parentWidget()))
+        delete other;
     if (!needed)
         return;
     if (m_substitute == nullptr) {
-        m_dialog = dialog;
         m_substitute = new StopButton(dialog);
         m_substitute->setWindowFlags(Qt::Tool | Qt::FramelessWindowHint | Qt::WindowDoesNotAcceptFocus);
         m_substitute->setAttribute(Qt::WA_ShowWithoutActivating);

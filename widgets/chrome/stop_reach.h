@@ -10,10 +10,10 @@ namespace teleta::chrome {
 
 class StopButton;
 
-/// Keeps STOP in reach of the mouse while something else takes the mouse of its window. Over a modal dialog's
-/// blocked window a second button lies in the same place, which belongs to the dialog and so is not blocked;
-/// the keys go back to the dialog when somebody clicks elsewhere in the window. A press on STOP that closes a
-/// menu or a list stops as well. Thread: GUI.
+/// Keeps STOP in reach of the mouse where Qt would withhold it. A modal dialog blocks the window of the
+/// button: while it is open, a second button, which belongs to the dialog, lies exactly over the first, and a
+/// click anywhere else in the blocked window gives the keyboard back to the dialog. While a menu or a list is
+/// open, a press on STOP closes it, and stops as well. Thread: GUI.
 class StopReach : public QObject {
     Q_OBJECT
 
@@ -32,7 +32,6 @@ private:
     [[nodiscard]] bool covers(const QPoint& global) const;
 
     StopButton& m_button;
-    QPointer<QWidget> m_dialog;
     QPointer<StopButton> m_substitute;
 };
 

@@ -61,7 +61,7 @@ private slots:
         m_window.reset();
     }
 
-    void aModalDialogLeavesItPressed() {
+    void worksOverAModalDialog() {
         QDialog dialog(m_window.get());
         dialog.open();
         QTRY_VERIFY(isOverTheButton());
@@ -111,7 +111,7 @@ private slots:
         QTRY_VERIFY(isOverTheButton());
     }
 
-    void theKeysGoBackToTheDialog() {
+    void theKeyboardGoesBackToTheDialog() {
         QDialog dialog(m_window.get());
         dialog.open();
         QTRY_VERIFY(isOverTheButton());
