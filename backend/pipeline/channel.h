@@ -79,6 +79,8 @@ public:
 
     /// It moves by a program that can be held and begun anew.
     [[nodiscard]] virtual bool hasProgram() const { return m_scene != nullptr; }
+    /// A simulated scene stands still until somebody lets it run.
+    [[nodiscard]] bool isSceneHeld() const { return m_scene != nullptr && m_scene->isHeld(); }
     virtual void setProgramRunning(bool running) {
         if (m_scene)
             m_scene->setRunning(running);

@@ -481,7 +481,7 @@ void OperatePage::restartProgram() {
 }
 
 void OperatePage::onStopReleased() {
-    if (hasProgram() && !m_arm->joints() && !m_servo->servo())
+    if (hasProgram() && m_sources.active()->channel->isSceneHeld() && !m_servo->servo())
         messages().post({.text = tr("The scene is held."),
                          .advice = tr("Nothing goes on by itself after STOP."),
                          .details = {},

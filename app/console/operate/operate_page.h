@@ -84,8 +84,8 @@ public:
     [[nodiscard]] bool hasProgram() const;
     void setProgramRunning(bool running);
     void restartProgram();
-    /// A scene stays held after STOP. Arms and servo scenes have *Run* in their view; for others a notice
-    /// offers it.
+    /// The scene of an array stays held after STOP. Only servo scenes have a view with *Run*: for others a
+    /// notice offers it.
     void onStopReleased();
     void retranslate();
 
