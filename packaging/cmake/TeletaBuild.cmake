@@ -292,14 +292,14 @@ function(teleta_moc name)
     file(MAKE_DIRECTORY "${output}")
     file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp" CONTENT "${includes}" @ONLY)
     target_sources(${name} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp")
-    # The library may be of another folder, where the commands of this one are not known.
+    # CMake knows these commands in this folder only, and the library of a group belongs to another one.
     add_custom_target(${step}_moc DEPENDS ${made})
     add_dependencies(${name} ${step}_moc)
 endfunction()
 
-# Most of the compiler's time goes into headers. A unity build reads them once for several sources, and for these folders with all
-# below them, each a library then, also once for several folders. The first that fits counts. What programs load apart stays apart,
-# and so does backend/vision, which gets slower together.
+# Most of the compiler's time goes into headers, which a unity build reads once for several sources of a folder. Each of these
+# folders is also compiled together with all folders below it, as one library. A folder belongs to the first that fits. What small
+# programs use without the rest stays apart, and so does backend/vision, which takes longer to compile as one.
 set(TELETA_GROUPS
     backend/contact
     backend/cost
@@ -318,7 +318,7 @@ set(TELETA_GROUPS
     app/cli/commands/tactile
     app/cli/commands
     app/console)
-# With a sanitizer only some folders are built.
+# A build with a sanitizer needs few folders, and would compile whole groups for them.
 if(NOT TELETA_UNITY OR TELETA_SANITIZE)
     set(TELETA_GROUPS "")
 endif()
