@@ -184,6 +184,51 @@
     </message>
 </context>
 <context>
+    <name>ProtocolSummary</name>
+    <message numerus="yes">
+        <source>%n for each participant, at most.</source>
+        <translation>
+            <numerusform>%n for each participant, at most.</numerusform>
+            <numerusform>%n for each participant, at most.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s).</source>
+        <translation>
+            <numerusform>%n question.</numerusform>
+            <numerusform>%n questions.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It may be felt again %n time(s).</source>
+        <translation>
+            <numerusform>It may be felt again %n time.</numerusform>
+            <numerusform>It may be felt again %n times.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each stimulus %n time(s).</source>
+        <translation>
+            <numerusform>Each stimulus %n time.</numerusform>
+            <numerusform>Each stimulus %n times.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s), at least %1.</source>
+        <translation>
+            <numerusform>After every trial, at least %1.</numerusform>
+            <numerusform>After every %n trials, at least %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, interleaved.</source>
+        <translation>
+            <numerusform>%n.</numerusform>
+            <numerusform>%n, interleaved.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReplayCommand</name>
     <message numerus="yes">
         <source>%n damaged block(s) left out</source>

@@ -8994,6 +8994,260 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>ProtocolSummary</name>
+    <message>
+        <source>Each trial</source>
+        <translation>Chaque essai</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Entraînement</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>All repetitions together, in random order.</source>
+        <translation>Toutes les répétitions ensemble, dans un ordre aléatoire.</translation>
+    </message>
+    <message>
+        <source>Each repetition in a random order.</source>
+        <translation>Chaque répétition dans un ordre aléatoire.</translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>Pauses</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>Bruit masquant</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Each session is recorded.</source>
+        <translation>Chaque session est enregistrée.</translation>
+    </message>
+    <message>
+        <source>Test trials</source>
+        <translation>Essais de test</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n for each participant, at most.</source>
+        <translation>
+            <numerusform>%n par participant au plus.</numerusform>
+            <numerusform>%n par participant au plus.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s).</source>
+        <translation>
+            <numerusform>%n question.</numerusform>
+            <numerusform>%n questions.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Questionnaires</source>
+        <translation>Questionnaires</translation>
+    </message>
+    <message>
+        <source>What does not count</source>
+        <translation>Ce qui ne compte pas</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The stimulus lasts %1 at most.</source>
+        <translation>Le stimulus dure %1 au plus.</translation>
+    </message>
+    <message>
+        <source>The answer counts within %1 of its onset.</source>
+        <translation>La réponse compte dans les %1 qui suivent son début.</translation>
+    </message>
+    <message>
+        <source>The answer counts within %1 of its end.</source>
+        <translation>La réponse compte dans les %1 qui suivent sa fin.</translation>
+    </message>
+    <message>
+        <source>It is felt once.</source>
+        <translation>Il est ressenti une seule fois.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It may be felt again %n time(s).</source>
+        <translation>
+            <numerusform>Il peut être ressenti de nouveau %n fois.</numerusform>
+            <numerusform>Il peut être ressenti de nouveau %n fois.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Aucun.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each stimulus %n time(s).</source>
+        <translation>
+            <numerusform>Chaque stimulus %n fois.</numerusform>
+            <numerusform>Chaque stimulus %n fois.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The right answer is shown after each trial.</source>
+        <translation>La bonne réponse est montrée après chaque essai.</translation>
+    </message>
+    <message>
+        <source>The right answer is not shown.</source>
+        <translation>La bonne réponse n’est pas montrée.</translation>
+    </message>
+    <message>
+        <source>The pictures of the patterns are in view.</source>
+        <translation>Les images des motifs sont visibles.</translation>
+    </message>
+    <message>
+        <source>The pictures of the patterns are not in view.</source>
+        <translation>Les images des motifs ne sont pas visibles.</translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s), at least %1.</source>
+        <translation>
+            <numerusform>Après chaque essai, au moins %1.</numerusform>
+            <numerusform>Tous les %n essais, au moins %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pink, %1 dBA.</source>
+        <translation>Rose, %1 dBA.</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Which was it?</source>
+        <translation>Lequel était-ce ?</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3, chosen by %4.</source>
+        <comment>lowest, highest, unit, procedure</comment>
+        <translation>%1 à %2 %3, choisis par %4.</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Séries</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, interleaved.</source>
+        <translation>
+            <numerusform>%n.</numerusform>
+            <numerusform>%n, entrelacées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes or no: was it there?</source>
+        <translation>Oui ou non : était-il là ?</translation>
+    </message>
+    <message>
+        <source>Intervals: in which one was it?</source>
+        <translation>Intervalles : dans lequel était-il ?</translation>
+    </message>
+    <message>
+        <source>Same or different?</source>
+        <translation>Identiques ou différents ?</translation>
+    </message>
+    <message>
+        <source>Compare: which one had more?</source>
+        <translation>Comparaison : lequel en avait plus ?</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>stimuli constants</translation>
+    </message>
+    <message>
+        <source>a staircase</source>
+        <translation>un escalier</translation>
+    </message>
+    <message>
+        <source>a Bayesian procedure (QUEST+)</source>
+        <translation>une procédure bayésienne (QUEST+)</translation>
+    </message>
+    <message>
+        <source>Before the first session.</source>
+        <translation>Avant la première session.</translation>
+    </message>
+    <message>
+        <source>Before each session.</source>
+        <translation>Avant chaque session.</translation>
+    </message>
+    <message>
+        <source>After each session.</source>
+        <translation>Après chaque session.</translation>
+    </message>
+    <message>
+        <source>After the last session.</source>
+        <translation>Après la dernière session.</translation>
+    </message>
+    <message>
+        <source>Trials answered earlier than %1.</source>
+        <translation>Les essais dont la réponse vient plus tôt que %1.</translation>
+    </message>
+    <message>
+        <source>Trials answered later than %1.</source>
+        <translation>Les essais dont la réponse vient plus tard que %1.</translation>
+    </message>
+    <message>
+        <source>Trials whose time is more than %1 MADs from the median.</source>
+        <translation>Les essais dont le temps s’écarte de plus de %1 MAD de la médiane.</translation>
+    </message>
+    <message>
+        <source>Trials with more than %1 device faults.</source>
+        <translation>Les essais avec plus de %1 défauts d’appareil.</translation>
+    </message>
+    <message>
+        <source>Trials with more than %1 missed frames.</source>
+        <translation>Les essais avec plus de %1 trames manquées.</translation>
+    </message>
+    <message>
+        <source>Sessions in which more than %1 % of the trials have no answer.</source>
+        <translation>Les sessions où plus de %1 % des essais sont sans réponse.</translation>
+    </message>
+    <message>
+        <source>Sessions with more than %1 % of yes in catch trials.</source>
+        <translation>Les sessions avec plus de %1 % de oui aux essais pièges.</translation>
+    </message>
+    <message>
+        <source>Sessions with one answer in more than %1 % of the trials.</source>
+        <translation>Les sessions avec la même réponse dans plus de %1 % des essais.</translation>
+    </message>
+    <message>
+        <source>Participants with less than %1 % right in practice.</source>
+        <translation>Les participants avec moins de %1 % de bonnes réponses à l’entraînement.</translation>
+    </message>
+    <message>
+        <source>Participants who are not better than chance (p above %1).</source>
+        <translation>Les participants qui ne font pas mieux que le hasard (p au-dessus de %1).</translation>
+    </message>
+</context>
+<context>
     <name>Provenance</name>
     <message>
         <source>SIMULATED</source>
@@ -22088,43 +22342,12 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Choisissez un autre dossier ou nom de fichier.</translation>
     </message>
     <message>
-        <source>%1 was lost.</source>
-        <comment>a source</comment>
-        <translation>La source %1 a été perdue.</translation>
-    </message>
-    <message>
-        <source>Check the cable and the power supply; it is tried again by itself.</source>
-        <translation>Vérifiez le câble et l’alimentation&#xa0;; une nouvelle tentative est faite automatiquement.</translation>
-    </message>
-    <message>
         <source>joints</source>
         <translation>articulations</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
         <translation>Le bracelet n’a pas pu être ouvert.</translation>
-    </message>
-    <message>
-        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
-        <translation>La suite du fichier est illisible&#xa0;: il est endommagé, ou son disque n’est plus là. Ouvrez-le à nouveau lorsqu’il sera lisible.</translation>
-    </message>
-    <message>
-        <source>The settings of %1 changed while it was recorded.</source>
-        <comment>a source</comment>
-        <translation>Les réglages de %1 ont changé pendant l’enregistrement.</translation>
-    </message>
-    <message>
-        <source>It is played with those of the beginning; the events of the recording have the others.</source>
-        <translation>La lecture utilise ceux du début&#xa0;; les événements de l’enregistrement contiennent les autres.</translation>
-    </message>
-    <message>
-        <source>The recording of %1 is damaged.</source>
-        <comment>a source</comment>
-        <translation>L’enregistrement de %1 est endommagé.</translation>
-    </message>
-    <message>
-        <source>The blocks that cannot be read are passed over; the others are played.</source>
-        <translation>Les blocs illisibles sont ignorés&#xa0;; les autres sont lus.</translation>
     </message>
     <message>
         <source>%1: joints</source>
@@ -22134,28 +22357,6 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Check mesh_path in the file with which you opened the arm or its site.</source>
         <translation>Vérifiez mesh_path dans le fichier par lequel vous avez ouvert le bras ou son site.</translation>
-    </message>
-    <message>
-        <source>%1 has become warmer since its tare.</source>
-        <comment>a source</comment>
-        <translation>%1 s’est réchauffé depuis son tarage.</translation>
-    </message>
-    <message>
-        <source>%1 has become colder since its tare.</source>
-        <comment>a source</comment>
-        <translation>%1 s’est refroidi depuis son tarage.</translation>
-    </message>
-    <message>
-        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
-        <translation>Ce qu’il lit au repos change avec la température. Tarez-le de nouveau sans que rien ne le touche.</translation>
-    </message>
-    <message>
-        <source>Chip %1: %2</source>
-        <translation>Puce %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>What it reads at rest moved with temperature while it was recorded.</source>
-        <translation>Ce qu’il lit au repos a changé avec la température pendant l’enregistrement.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -22189,6 +22390,25 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Run</source>
         <translation>Exécuter</translation>
+    </message>
+    <message>
+        <source>not for %1</source>
+        <comment>the bracelet plays no touches of an arm</comment>
+        <translation>pas pour %1</translation>
+    </message>
+    <message>
+        <source>The bracelet does not play the touches of %1.</source>
+        <comment>an arm</comment>
+        <translation>Le bracelet ne joue pas les contacts de %1.</translation>
+    </message>
+    <message>
+        <source>It plays those of the arm that is shown.</source>
+        <translation>Il joue ceux du bras affiché.</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <comment>an arm</comment>
+        <translation>Afficher %1</translation>
     </message>
 </context>
 <context>
@@ -22965,6 +23185,21 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
 </context>
 <context>
+    <name>teleta::console::ProtocolReading</name>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke a study…</source>
+        <translation>Créer une ét&amp;ude…</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge a copy…</source>
+        <translation>&amp;Modifier une copie…</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::QuestionnaireEditor</name>
     <message>
         <source>Questionnaire</source>
@@ -23686,6 +23921,62 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Nobody answered in time.</source>
         <translation>Personne n’a répondu à temps.</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SourceWatch</name>
+    <message>
+        <source>%1 was lost.</source>
+        <comment>a source</comment>
+        <translation>La source %1 a été perdue.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
+        <translation>La suite du fichier est illisible : il est endommagé, ou son disque n’est plus là. Ouvrez-le à nouveau lorsqu’il sera lisible.</translation>
+    </message>
+    <message>
+        <source>Check the cable and the power supply; it is tried again by itself.</source>
+        <translation>Vérifiez le câble et l’alimentation ; une nouvelle tentative est faite automatiquement.</translation>
+    </message>
+    <message>
+        <source>The settings of %1 changed while it was recorded.</source>
+        <comment>a source</comment>
+        <translation>Les réglages de %1 ont changé pendant l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>It is played with those of the beginning; the events of the recording have the others.</source>
+        <translation>La lecture utilise ceux du début ; les événements de l’enregistrement contiennent les autres.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is damaged.</source>
+        <comment>a source</comment>
+        <translation>L’enregistrement de %1 est endommagé.</translation>
+    </message>
+    <message>
+        <source>The blocks that cannot be read are passed over; the others are played.</source>
+        <translation>Les blocs illisibles sont ignorés ; les autres sont lus.</translation>
+    </message>
+    <message>
+        <source>%1 has become warmer since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 s’est réchauffé depuis son tarage.</translation>
+    </message>
+    <message>
+        <source>%1 has become colder since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 s’est refroidi depuis son tarage.</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moved with temperature while it was recorded.</source>
+        <translation>Ce qu’il lit au repos a changé avec la température pendant l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
+        <translation>Ce qu’il lit au repos change avec la température. Tarez-le de nouveau sans que rien ne le touche.</translation>
+    </message>
+    <message>
+        <source>Chip %1: %2</source>
+        <translation>Puce %1 : %2</translation>
     </message>
 </context>
 <context>
@@ -25815,6 +26106,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The answer marked with ✓ was the right one. Press Space to continue.</source>
         <translation>La réponse marquée d’un ✓ était la bonne. Appuyez sur Espace pour continuer.</translation>
+    </message>
+    <message>
+        <source>The session has ended. Please wait for the experimenter.</source>
+        <translation>La session est terminée. Veuillez attendre l’expérimentateur.</translation>
     </message>
 </context>
 <context>

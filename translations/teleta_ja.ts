@@ -8974,6 +8974,254 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>ProtocolSummary</name>
+    <message>
+        <source>Each trial</source>
+        <translation>各試行</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>練習</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>テスト</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>順序</translation>
+    </message>
+    <message>
+        <source>All repetitions together, in random order.</source>
+        <translation>すべての繰り返しをまとめてランダムな順序で。</translation>
+    </message>
+    <message>
+        <source>Each repetition in a random order.</source>
+        <translation>繰り返しごとにランダムな順序で。</translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>休憩</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>マスキングノイズ</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Each session is recorded.</source>
+        <translation>各セッションが記録されます。</translation>
+    </message>
+    <message>
+        <source>Test trials</source>
+        <translation>テスト試行</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n for each participant, at most.</source>
+        <translation>
+            <numerusform>参加者ごとに最大 %n 回。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s).</source>
+        <translation>
+            <numerusform>質問 %n 件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Questionnaires</source>
+        <translation>質問票</translation>
+    </message>
+    <message>
+        <source>What does not count</source>
+        <translation>除外されるもの</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The stimulus lasts %1 at most.</source>
+        <translation>刺激は最長 %1 です。</translation>
+    </message>
+    <message>
+        <source>The answer counts within %1 of its onset.</source>
+        <translation>開始から %1 以内の回答が有効です。</translation>
+    </message>
+    <message>
+        <source>The answer counts within %1 of its end.</source>
+        <translation>終了から %1 以内の回答が有効です。</translation>
+    </message>
+    <message>
+        <source>It is felt once.</source>
+        <translation>提示は 1 回だけです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It may be felt again %n time(s).</source>
+        <translation>
+            <numerusform>さらに %n 回まで提示できます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>なし。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each stimulus %n time(s).</source>
+        <translation>
+            <numerusform>各刺激 %n 回。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The right answer is shown after each trial.</source>
+        <translation>各試行の後に正解が表示されます。</translation>
+    </message>
+    <message>
+        <source>The right answer is not shown.</source>
+        <translation>正解は表示されません。</translation>
+    </message>
+    <message>
+        <source>The pictures of the patterns are in view.</source>
+        <translation>パターンの図が表示されます。</translation>
+    </message>
+    <message>
+        <source>The pictures of the patterns are not in view.</source>
+        <translation>パターンの図は表示されません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s), at least %1.</source>
+        <translation>
+            <numerusform>%n 試行ごとに、%1 以上。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pink, %1 dBA.</source>
+        <translation>ピンク、%1 dBA。</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Which was it?</source>
+        <translation>どれでしたか</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>質問</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>課題形式</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>レベル</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3, chosen by %4.</source>
+        <comment>lowest, highest, unit, procedure</comment>
+        <translation>%1～%2 %3、%4 で選択。</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, interleaved.</source>
+        <translation>
+            <numerusform>%n トラックを交互に。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes or no: was it there?</source>
+        <translation>はい・いいえ: ありましたか</translation>
+    </message>
+    <message>
+        <source>Intervals: in which one was it?</source>
+        <translation>区間: どの区間でしたか</translation>
+    </message>
+    <message>
+        <source>Same or different?</source>
+        <translation>同じか違うか</translation>
+    </message>
+    <message>
+        <source>Compare: which one had more?</source>
+        <translation>比較: どちらが大きいか</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>恒常法</translation>
+    </message>
+    <message>
+        <source>a staircase</source>
+        <translation>階段法</translation>
+    </message>
+    <message>
+        <source>a Bayesian procedure (QUEST+)</source>
+        <translation>ベイズ法 (QUEST+)</translation>
+    </message>
+    <message>
+        <source>Before the first session.</source>
+        <translation>最初のセッションの前。</translation>
+    </message>
+    <message>
+        <source>Before each session.</source>
+        <translation>各セッションの前。</translation>
+    </message>
+    <message>
+        <source>After each session.</source>
+        <translation>各セッションの後。</translation>
+    </message>
+    <message>
+        <source>After the last session.</source>
+        <translation>最後のセッションの後。</translation>
+    </message>
+    <message>
+        <source>Trials answered earlier than %1.</source>
+        <translation>%1 より早い回答の試行。</translation>
+    </message>
+    <message>
+        <source>Trials answered later than %1.</source>
+        <translation>%1 より遅い回答の試行。</translation>
+    </message>
+    <message>
+        <source>Trials whose time is more than %1 MADs from the median.</source>
+        <translation>時間が中央値から %1 MAD を超えて離れた試行。</translation>
+    </message>
+    <message>
+        <source>Trials with more than %1 device faults.</source>
+        <translation>デバイス障害が %1 件を超える試行。</translation>
+    </message>
+    <message>
+        <source>Trials with more than %1 missed frames.</source>
+        <translation>欠落フレームが %1 を超える試行。</translation>
+    </message>
+    <message>
+        <source>Sessions in which more than %1 % of the trials have no answer.</source>
+        <translation>無回答の試行が %1 % を超えるセッション。</translation>
+    </message>
+    <message>
+        <source>Sessions with more than %1 % of yes in catch trials.</source>
+        <translation>キャッチ試行で「はい」が %1 % を超えるセッション。</translation>
+    </message>
+    <message>
+        <source>Sessions with one answer in more than %1 % of the trials.</source>
+        <translation>同じ回答が試行の %1 % を超えるセッション。</translation>
+    </message>
+    <message>
+        <source>Participants with less than %1 % right in practice.</source>
+        <translation>練習の正答が %1 % 未満の参加者。</translation>
+    </message>
+    <message>
+        <source>Participants who are not better than chance (p above %1).</source>
+        <translation>偶然を上回らない参加者（p が %1 を超える）。</translation>
+    </message>
+</context>
+<context>
     <name>Provenance</name>
     <message>
         <source>SIMULATED</source>
@@ -22025,43 +22273,12 @@ Run teleta-site --help for more.
         <translation>別のフォルダーまたはファイル名を選んでください。</translation>
     </message>
     <message>
-        <source>%1 was lost.</source>
-        <comment>a source</comment>
-        <translation>%1 との接続が切れました。</translation>
-    </message>
-    <message>
-        <source>Check the cable and the power supply; it is tried again by itself.</source>
-        <translation>ケーブルと電源を確認してください。自動的に再試行します。</translation>
-    </message>
-    <message>
         <source>joints</source>
         <translation>関節</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
         <translation>ブレスレットを開けませんでした。</translation>
-    </message>
-    <message>
-        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
-        <translation>ファイルのこれより先を読み取れません。ファイルが破損しているか、ディスクがなくなっています。読み取れるようになってから、もう一度開いてください。</translation>
-    </message>
-    <message>
-        <source>The settings of %1 changed while it was recorded.</source>
-        <comment>a source</comment>
-        <translation>%1の設定は記録中に変更されました。</translation>
-    </message>
-    <message>
-        <source>It is played with those of the beginning; the events of the recording have the others.</source>
-        <translation>再生には開始時の設定が使われます。ほかの設定は記録のイベントにあります。</translation>
-    </message>
-    <message>
-        <source>The recording of %1 is damaged.</source>
-        <comment>a source</comment>
-        <translation>%1の記録は破損しています。</translation>
-    </message>
-    <message>
-        <source>The blocks that cannot be read are passed over; the others are played.</source>
-        <translation>読み取れないブロックは飛ばされ、ほかのブロックは再生されます。</translation>
     </message>
     <message>
         <source>%1: joints</source>
@@ -22071,28 +22288,6 @@ Run teleta-site --help for more.
     <message>
         <source>Check mesh_path in the file with which you opened the arm or its site.</source>
         <translation>アームまたはサイトを開いたファイルの mesh_path を確認してください。</translation>
-    </message>
-    <message>
-        <source>%1 has become warmer since its tare.</source>
-        <comment>a source</comment>
-        <translation>%1は風袋引きの後に温まりました。</translation>
-    </message>
-    <message>
-        <source>%1 has become colder since its tare.</source>
-        <comment>a source</comment>
-        <translation>%1は風袋引きの後に冷えました。</translation>
-    </message>
-    <message>
-        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
-        <translation>静止時の値は温度とともに変わります。何も触れない状態でもう一度風袋引きをしてください。</translation>
-    </message>
-    <message>
-        <source>Chip %1: %2</source>
-        <translation>チップ%1: %2</translation>
-    </message>
-    <message>
-        <source>What it reads at rest moved with temperature while it was recorded.</source>
-        <translation>静止時の値は、記録中に温度とともに変わりました。</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -22126,6 +22321,25 @@ Run teleta-site --help for more.
     <message>
         <source>Run</source>
         <translation>実行</translation>
+    </message>
+    <message>
+        <source>not for %1</source>
+        <comment>the bracelet plays no touches of an arm</comment>
+        <translation>%1 には使われません</translation>
+    </message>
+    <message>
+        <source>The bracelet does not play the touches of %1.</source>
+        <comment>an arm</comment>
+        <translation>ブレスレットは %1 の接触を再生しません。</translation>
+    </message>
+    <message>
+        <source>It plays those of the arm that is shown.</source>
+        <translation>表示中のアームの接触を再生します。</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <comment>an arm</comment>
+        <translation>%1 を表示</translation>
     </message>
 </context>
 <context>
@@ -22898,6 +23112,21 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::ProtocolReading</name>
+    <message>
+        <source>Protocol</source>
+        <translation>プロトコル</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke a study…</source>
+        <translation>実験を作成(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge a copy…</source>
+        <translation>コピーを変更(&amp;G)…</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::QuestionnaireEditor</name>
     <message>
         <source>Questionnaire</source>
@@ -23614,6 +23843,62 @@ Run teleta-site --help for more.
     <message>
         <source>Nobody answered in time.</source>
         <translation>時間内に応答がありませんでした。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SourceWatch</name>
+    <message>
+        <source>%1 was lost.</source>
+        <comment>a source</comment>
+        <translation>%1 との接続が切れました。</translation>
+    </message>
+    <message>
+        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
+        <translation>ファイルのこれより先を読み取れません。ファイルが破損しているか、ディスクがなくなっています。読み取れるようになってから、もう一度開いてください。</translation>
+    </message>
+    <message>
+        <source>Check the cable and the power supply; it is tried again by itself.</source>
+        <translation>ケーブルと電源を確認してください。自動的に再試行します。</translation>
+    </message>
+    <message>
+        <source>The settings of %1 changed while it was recorded.</source>
+        <comment>a source</comment>
+        <translation>%1の設定は記録中に変更されました。</translation>
+    </message>
+    <message>
+        <source>It is played with those of the beginning; the events of the recording have the others.</source>
+        <translation>再生には開始時の設定が使われます。ほかの設定は記録のイベントにあります。</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is damaged.</source>
+        <comment>a source</comment>
+        <translation>%1の記録は破損しています。</translation>
+    </message>
+    <message>
+        <source>The blocks that cannot be read are passed over; the others are played.</source>
+        <translation>読み取れないブロックは飛ばされ、ほかのブロックは再生されます。</translation>
+    </message>
+    <message>
+        <source>%1 has become warmer since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1は風袋引きの後に温まりました。</translation>
+    </message>
+    <message>
+        <source>%1 has become colder since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1は風袋引きの後に冷えました。</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moved with temperature while it was recorded.</source>
+        <translation>静止時の値は、記録中に温度とともに変わりました。</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
+        <translation>静止時の値は温度とともに変わります。何も触れない状態でもう一度風袋引きをしてください。</translation>
+    </message>
+    <message>
+        <source>Chip %1: %2</source>
+        <translation>チップ%1: %2</translation>
     </message>
 </context>
 <context>
@@ -25741,6 +26026,10 @@ Run teleta-site --help for more.
     <message>
         <source>The answer marked with ✓ was the right one. Press Space to continue.</source>
         <translation>✓の付いた答えが正解でした。Spaceキーを押すと続行します。</translation>
+    </message>
+    <message>
+        <source>The session has ended. Please wait for the experimenter.</source>
+        <translation>セッションは終了しました。実験者をお待ちください。</translation>
     </message>
 </context>
 <context>

@@ -8974,6 +8974,254 @@ Run %2 --help for more.
     </message>
 </context>
 <context>
+    <name>ProtocolSummary</name>
+    <message>
+        <source>Each trial</source>
+        <translation>每次试次</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>All repetitions together, in random order.</source>
+        <translation>所有重复合在一起，随机排序。</translation>
+    </message>
+    <message>
+        <source>Each repetition in a random order.</source>
+        <translation>每轮重复随机排序。</translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>掩蔽噪声</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Each session is recorded.</source>
+        <translation>录制每个场次。</translation>
+    </message>
+    <message>
+        <source>Test trials</source>
+        <translation>测试试次</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n for each participant, at most.</source>
+        <translation>
+            <numerusform>每位被试最多 %n 次。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s).</source>
+        <translation>
+            <numerusform>%n 个问题。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Questionnaires</source>
+        <translation>问卷</translation>
+    </message>
+    <message>
+        <source>What does not count</source>
+        <translation>不计入的内容</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The stimulus lasts %1 at most.</source>
+        <translation>刺激最长 %1。</translation>
+    </message>
+    <message>
+        <source>The answer counts within %1 of its onset.</source>
+        <translation>从其开始起 %1 内的回答有效。</translation>
+    </message>
+    <message>
+        <source>The answer counts within %1 of its end.</source>
+        <translation>从其结束起 %1 内的回答有效。</translation>
+    </message>
+    <message>
+        <source>It is felt once.</source>
+        <translation>只感受一次。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It may be felt again %n time(s).</source>
+        <translation>
+            <numerusform>可以再感受 %n 次。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>无。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each stimulus %n time(s).</source>
+        <translation>
+            <numerusform>每个刺激 %n 次。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The right answer is shown after each trial.</source>
+        <translation>每次试次后显示正确答案。</translation>
+    </message>
+    <message>
+        <source>The right answer is not shown.</source>
+        <translation>不显示正确答案。</translation>
+    </message>
+    <message>
+        <source>The pictures of the patterns are in view.</source>
+        <translation>显示图案的图片。</translation>
+    </message>
+    <message>
+        <source>The pictures of the patterns are not in view.</source>
+        <translation>不显示图案的图片。</translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s), at least %1.</source>
+        <translation>
+            <numerusform>每 %n 次试次后，至少 %1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pink, %1 dBA.</source>
+        <translation>粉红噪声，%1 dBA。</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>Which was it?</source>
+        <translation>是哪一个？</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>设计</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3, chosen by %4.</source>
+        <comment>lowest, highest, unit, procedure</comment>
+        <translation>%1 至 %2 %3，由%4选择。</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>序列</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, interleaved.</source>
+        <translation>
+            <numerusform>%n 个，交错进行。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes or no: was it there?</source>
+        <translation>是或否：有没有？</translation>
+    </message>
+    <message>
+        <source>Intervals: in which one was it?</source>
+        <translation>区间：在哪一个？</translation>
+    </message>
+    <message>
+        <source>Same or different?</source>
+        <translation>相同还是不同？</translation>
+    </message>
+    <message>
+        <source>Compare: which one had more?</source>
+        <translation>比较：哪一个更多？</translation>
+    </message>
+    <message>
+        <source>constant stimuli</source>
+        <translation>恒定刺激法</translation>
+    </message>
+    <message>
+        <source>a staircase</source>
+        <translation>阶梯法</translation>
+    </message>
+    <message>
+        <source>a Bayesian procedure (QUEST+)</source>
+        <translation>贝叶斯方法（QUEST+）</translation>
+    </message>
+    <message>
+        <source>Before the first session.</source>
+        <translation>第一个场次之前。</translation>
+    </message>
+    <message>
+        <source>Before each session.</source>
+        <translation>每个场次之前。</translation>
+    </message>
+    <message>
+        <source>After each session.</source>
+        <translation>每个场次之后。</translation>
+    </message>
+    <message>
+        <source>After the last session.</source>
+        <translation>最后一个场次之后。</translation>
+    </message>
+    <message>
+        <source>Trials answered earlier than %1.</source>
+        <translation>早于 %1 回答的试次。</translation>
+    </message>
+    <message>
+        <source>Trials answered later than %1.</source>
+        <translation>晚于 %1 回答的试次。</translation>
+    </message>
+    <message>
+        <source>Trials whose time is more than %1 MADs from the median.</source>
+        <translation>时间偏离中位数超过 %1 个 MAD 的试次。</translation>
+    </message>
+    <message>
+        <source>Trials with more than %1 device faults.</source>
+        <translation>设备故障超过 %1 次的试次。</translation>
+    </message>
+    <message>
+        <source>Trials with more than %1 missed frames.</source>
+        <translation>丢帧超过 %1 的试次。</translation>
+    </message>
+    <message>
+        <source>Sessions in which more than %1 % of the trials have no answer.</source>
+        <translation>超过 %1 % 的试次无回答的场次。</translation>
+    </message>
+    <message>
+        <source>Sessions with more than %1 % of yes in catch trials.</source>
+        <translation>捕捉试次中回答“是”超过 %1 % 的场次。</translation>
+    </message>
+    <message>
+        <source>Sessions with one answer in more than %1 % of the trials.</source>
+        <translation>同一回答超过 %1 % 试次的场次。</translation>
+    </message>
+    <message>
+        <source>Participants with less than %1 % right in practice.</source>
+        <translation>练习正确率低于 %1 % 的被试。</translation>
+    </message>
+    <message>
+        <source>Participants who are not better than chance (p above %1).</source>
+        <translation>不优于随机水平的被试（p 高于 %1）。</translation>
+    </message>
+</context>
+<context>
     <name>Provenance</name>
     <message>
         <source>SIMULATED</source>
@@ -22025,43 +22273,12 @@ Run teleta-site --help for more.
         <translation>请选择其他文件夹或文件名。</translation>
     </message>
     <message>
-        <source>%1 was lost.</source>
-        <comment>a source</comment>
-        <translation>%1 已断开。</translation>
-    </message>
-    <message>
-        <source>Check the cable and the power supply; it is tried again by itself.</source>
-        <translation>请检查电缆和电源；会自动重试。</translation>
-    </message>
-    <message>
         <source>joints</source>
         <translation>关节</translation>
     </message>
     <message>
         <source>The bracelet could not be opened.</source>
         <translation>无法打开手环。</translation>
-    </message>
-    <message>
-        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
-        <translation>文件无法继续读取：文件已损坏，或其磁盘已不存在。可以读取时请重新打开。</translation>
-    </message>
-    <message>
-        <source>The settings of %1 changed while it was recorded.</source>
-        <comment>a source</comment>
-        <translation>%1 的设置在记录期间发生了更改。</translation>
-    </message>
-    <message>
-        <source>It is played with those of the beginning; the events of the recording have the others.</source>
-        <translation>回放使用开始时的设置；其余的在记录的事件中。</translation>
-    </message>
-    <message>
-        <source>The recording of %1 is damaged.</source>
-        <comment>a source</comment>
-        <translation>%1 的记录已损坏。</translation>
-    </message>
-    <message>
-        <source>The blocks that cannot be read are passed over; the others are played.</source>
-        <translation>无法读取的数据块会被跳过，其余的会被播放。</translation>
     </message>
     <message>
         <source>%1: joints</source>
@@ -22071,28 +22288,6 @@ Run teleta-site --help for more.
     <message>
         <source>Check mesh_path in the file with which you opened the arm or its site.</source>
         <translation>请检查打开机械臂或其站点所用文件中的 mesh_path。</translation>
-    </message>
-    <message>
-        <source>%1 has become warmer since its tare.</source>
-        <comment>a source</comment>
-        <translation>%1 自去皮后变热了。</translation>
-    </message>
-    <message>
-        <source>%1 has become colder since its tare.</source>
-        <comment>a source</comment>
-        <translation>%1 自去皮后变冷了。</translation>
-    </message>
-    <message>
-        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
-        <translation>其静止读数随温度变化。请在没有接触时重新去皮。</translation>
-    </message>
-    <message>
-        <source>Chip %1: %2</source>
-        <translation>芯片 %1：%2</translation>
-    </message>
-    <message>
-        <source>What it reads at rest moved with temperature while it was recorded.</source>
-        <translation>记录期间，其静止读数随温度发生了变化。</translation>
     </message>
     <message>
         <source>Opening %1…</source>
@@ -22126,6 +22321,25 @@ Run teleta-site --help for more.
     <message>
         <source>Run</source>
         <translation>运行</translation>
+    </message>
+    <message>
+        <source>not for %1</source>
+        <comment>the bracelet plays no touches of an arm</comment>
+        <translation>不用于 %1</translation>
+    </message>
+    <message>
+        <source>The bracelet does not play the touches of %1.</source>
+        <comment>an arm</comment>
+        <translation>手环不播放 %1 的触碰。</translation>
+    </message>
+    <message>
+        <source>It plays those of the arm that is shown.</source>
+        <translation>它播放所显示机械臂的触碰。</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <comment>an arm</comment>
+        <translation>显示 %1</translation>
     </message>
 </context>
 <context>
@@ -22898,6 +23112,21 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>teleta::console::ProtocolReading</name>
+    <message>
+        <source>Protocol</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke a study…</source>
+        <translation>创建研究(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge a copy…</source>
+        <translation>修改副本(&amp;G)…</translation>
+    </message>
+</context>
+<context>
     <name>teleta::console::QuestionnaireEditor</name>
     <message>
         <source>Questionnaire</source>
@@ -23614,6 +23843,62 @@ Run teleta-site --help for more.
     <message>
         <source>Nobody answered in time.</source>
         <translation>无人及时应答。</translation>
+    </message>
+</context>
+<context>
+    <name>teleta::console::SourceWatch</name>
+    <message>
+        <source>%1 was lost.</source>
+        <comment>a source</comment>
+        <translation>%1 已断开。</translation>
+    </message>
+    <message>
+        <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
+        <translation>文件无法继续读取：文件已损坏，或其磁盘已不存在。可以读取时请重新打开。</translation>
+    </message>
+    <message>
+        <source>Check the cable and the power supply; it is tried again by itself.</source>
+        <translation>请检查电缆和电源；会自动重试。</translation>
+    </message>
+    <message>
+        <source>The settings of %1 changed while it was recorded.</source>
+        <comment>a source</comment>
+        <translation>%1 的设置在记录期间发生了更改。</translation>
+    </message>
+    <message>
+        <source>It is played with those of the beginning; the events of the recording have the others.</source>
+        <translation>回放使用开始时的设置；其余的在记录的事件中。</translation>
+    </message>
+    <message>
+        <source>The recording of %1 is damaged.</source>
+        <comment>a source</comment>
+        <translation>%1 的记录已损坏。</translation>
+    </message>
+    <message>
+        <source>The blocks that cannot be read are passed over; the others are played.</source>
+        <translation>无法读取的数据块会被跳过，其余的会被播放。</translation>
+    </message>
+    <message>
+        <source>%1 has become warmer since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 自去皮后变热了。</translation>
+    </message>
+    <message>
+        <source>%1 has become colder since its tare.</source>
+        <comment>a source</comment>
+        <translation>%1 自去皮后变冷了。</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moved with temperature while it was recorded.</source>
+        <translation>记录期间，其静止读数随温度发生了变化。</translation>
+    </message>
+    <message>
+        <source>What it reads at rest moves with temperature. Tare it again with nothing touching.</source>
+        <translation>其静止读数随温度变化。请在没有接触时重新去皮。</translation>
+    </message>
+    <message>
+        <source>Chip %1: %2</source>
+        <translation>芯片 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -25741,6 +26026,10 @@ Run teleta-site --help for more.
     <message>
         <source>The answer marked with ✓ was the right one. Press Space to continue.</source>
         <translation>标有 ✓ 的回答是正确答案。按空格键继续。</translation>
+    </message>
+    <message>
+        <source>The session has ended. Please wait for the experimenter.</source>
+        <translation>本场次已结束。请等待实验人员。</translation>
     </message>
 </context>
 <context>

@@ -324,8 +324,11 @@ void MainWindow::openRequested(const ConsoleOptions& options) {
         m_opener->openSite(site);
     if (!options.sourceList.isEmpty())
         m_opener->openList(options.sourceList);
-    if (!options.pattern.isEmpty())
+    if (!options.pattern.isEmpty()) {
+        if (options.page.isEmpty())
+            showPage(QStringLiteral("patterns"));
         m_patterns->open(options.pattern);
+    }
     if (m_settings.atStart() == AtStart::open && !options.opensAnything())
         openLastSession();
     m_record = options.record;

@@ -147,6 +147,8 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& nam
         parts << base::withUnit(cell.rate.text().trimmed(), tr("Hz"));
     if (reading.lost > 0)
         parts << tr("%1 lost", "frames").arg(base::shortCount(reading.lost));
+    if (!reading.remark.isEmpty() && detail < Detail::troubles)
+        parts << reading.remark;
     if (reading.active && cell.latency_ms.shown() && live && detail == Detail::all)
         parts << tr("to screen %1 ms").arg(cell.latency_ms.text().trimmed());
     if (cell.touchToSkin_ms.shown() && detail == Detail::all)
@@ -316,8 +318,9 @@ QString DeviceStrip::toolTipText(const Cell& cell) const {
     if (reading.touchToSkin_s)
         lines << tr("From the completed touch to the first frame of its pattern: %1 ms")
                      .arg(base::fixedDigits(*reading.touchToSkin_s * 1e3, 1));
-    if (!reading.details.isEmpty())
-        lines << reading.details;
+    for (const QString& more : {reading.remark, reading.details})
+        if (!more.isEmpty())
+            lines << more;
     return lines.join(QLatin1Char('\n'));
 }
 

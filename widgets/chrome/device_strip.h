@@ -26,6 +26,7 @@ struct DeviceReading {
     std::uint64_t displayed = 0;
     std::optional<double> latency_s;     ///< from sensor read to screen
     std::optional<double> touchToSkin_s; ///< of a bracelet: from the last touch to its pattern
+    QString remark;                      ///< short, after the losses
     QString details;                     ///< why it is lost; shown in the tool tip
     bool active = false;                 ///< the views show its data
 };

@@ -3,6 +3,9 @@
 
 #include <QRect>
 
+#include <functional>
+#include <optional>
+
 class QWidget;
 
 namespace teleta::chrome {
@@ -20,5 +23,12 @@ struct FreeCorner {
 /// before canvases, of which a part remains in reach. Thread: GUI.
 [[nodiscard]] FreeCorner freeCorner(const QWidget& view, const QRect& seen, QSize size,
                                     const QWidget& ignored);
+
+/// A place at the lower left of the largest picture in the view (kPictureProperty) where a notice covers no
+/// control; `width` at most. heightFor: the notice's height at a width. Empty: no picture is large enough.
+/// Thread: GUI.
+[[nodiscard]] std::optional<QRect> freePicture(const QWidget& view, const QRect& seen, int width,
+                                               const std::function<int(int)>& heightFor,
+                                               const QWidget& ignored);
 
 } // namespace teleta::chrome

@@ -151,12 +151,17 @@ void MessageBar::settle() {
         room->installEventFilter(this); // a scrolling view does not resize when more of it becomes visible
     }
     const int width = std::min(seen.width(), base::em(this, kWidest_em));
-    const int height =
-        m_layout->hasHeightForWidth() ? m_layout->heightForWidth(width) : m_layout->sizeHint().height();
-    FreeCorner corner = freeCorner(*view, seen, QSize(width, height), *this);
+    const auto heightFor = [this](int wide) {
+        return m_layout->hasHeightForWidth() ? m_layout->heightForWidth(wide) : m_layout->sizeHint().height();
+    };
+    FreeCorner corner = freeCorner(*view, seen, QSize(width, heightFor(width)), *this);
+    if (corner.covers && m_reserved == 0) {
+        if (const auto place = freePicture(*view, seen, width, heightFor, *this))
+            corner = {.place = *place, .covers = false};
+    }
     if (m_reserved > 0 || corner.covers) {
         const int lowest = view->layout() != nullptr ? view->layout()->minimumSize().height() : seen.height();
-        const int strip = m_layout->hasHeightForWidth() ? m_layout->heightForWidth(seen.width()) : height;
+        const int strip = heightFor(seen.width());
         const bool hasRoom = lowest - m_reserved + strip <= seen.height();
         reserve(hasRoom ? strip : 0);
         if (hasRoom)

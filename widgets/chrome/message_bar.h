@@ -34,8 +34,9 @@ struct Message {
 /// corner is the one where they cover the fewest controls, see freeCorner(). Information leaves by itself
 /// after it has been seen for a while, unless the pointer or the keyboard is on it; warnings and errors stay
 /// until they are closed. A repeated notice is counted instead of added; at most three are shown, older ones
-/// follow when these are closed. Where each corner has a control or a table, the view gives it a strip at its
-/// lower edge as long as there are notices, if it can be made so much lower. Nothing above moves under the
+/// follow when these are closed. Where each corner has a control or a table, they lie over a picture, see
+/// freePicture(). Where there is none, the view gives them a strip at its lower edge as long as there are
+/// notices, if it can be made so much lower. Nothing above moves under the
 /// mouse, and it never blocks. When the language changes all of them leave, since they are in the old one.
 /// All notices are kept in the MessageLog. Thread: GUI.
 class MessageBar : public QWidget {

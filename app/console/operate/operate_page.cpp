@@ -7,7 +7,6 @@
 #include "backend/core/device/device_state.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/touch/skin_contact.h"
-#include "widgets/base/numbers/number_format.h"
 #include "widgets/base/on_change.h"
 #include "widgets/base/theme.h"
 #include "widgets/charts/strip_chart_view.h"
@@ -20,13 +19,11 @@
 #include "widgets/view3d/scene3d_view.h"
 
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -65,6 +62,7 @@ OperatePage::OperatePage(SourceManager& sources, BraceletService& bracelet, core
     , m_bracelet(bracelet)
     , m_stop(stop)
     , m_messages(new chrome::MessageBar(this))
+    , m_watch(*m_messages)
     , m_chooser(new chrome::SourceChooser(this))
     , m_playback(new chrome::PlaybackBar(this))
     , m_stack(new QStackedWidget(this))
@@ -205,9 +203,7 @@ void OperatePage::tick() {
     for (SourceManager::Item& item : m_sources.items()) {
         if (!item.isOpen())
             continue;
-        watchFailures(item);
-        watchDamage(item);
-        watchTemperature(item);
+        m_watch.look(item);
         if (item.sceneCamera())
             tickSceneCamera(item, now_ns);
         if (&item != m_sources.active())
@@ -323,9 +319,35 @@ std::vector<chrome::DeviceReading> OperatePage::readings() const {
         }
     }
     std::ranges::move(joints, std::back_inserter(readings));
-    if (auto bracelet = m_bracelet.reading())
+    if (auto bracelet = m_bracelet.reading()) {
+        if (const SourceManager::Item* arm = unfeltArm())
+            bracelet->remark = tr("not for %1", "the bracelet plays no touches of an arm").arg(arm->name);
         readings.push_back(std::move(*bracelet));
+    }
     return readings;
+}
+
+const SourceManager::Item* OperatePage::unfeltArm() const {
+    if (m_bracelet.choice() == BraceletChoice::none ||
+        m_arm->feedbackPanel().mode() == pipeline::FeedbackMode::off)
+        return nullptr;
+    const SourceManager::Item* shown = m_sources.active();
+    const auto unfelt = std::ranges::find_if(m_sources.items(), [shown](const SourceManager::Item& item) {
+        return &item != shown && item.arm() != nullptr && !item.channel->summary().recorded;
+    });
+    return unfelt != m_sources.items().end() ? &*unfelt : nullptr;
+}
+
+void OperatePage::tellUnfelt() {
+    const SourceManager::Item* shown = m_sources.active();
+    const SourceManager::Item* arm = unfeltArm();
+    if (arm == nullptr || shown == nullptr)
+        return;
+    m_messages->post({.text = tr("The bracelet does not play the touches of %1.", "an arm").arg(arm->name),
+                      .advice = tr("It plays those of the arm that is shown."),
+                      .details = {},
+                      .actions = {{tr("Show %1", "an arm").arg(arm->name),
+                                   [this, key = arm->key] { m_sources.activate(key); }}}});
 }
 
 std::shared_ptr<pipeline::TouchChannel> OperatePage::shownArray() const {
@@ -367,8 +389,10 @@ void OperatePage::onActiveChanged() {
                      : servo        ? OperateDocks::Kind::servo
                                     : OperateDocks::Kind::array);
     m_settings->setEnabled(array != nullptr);
-    if (isOther)
+    if (isOther) {
         m_scene->frame();
+        tellUnfelt();
+    }
     onSourcesChanged();
 }
 
@@ -514,61 +538,6 @@ void OperatePage::stepPlayback(int frames) {
 core::PlaybackControl* OperatePage::playback() {
     SourceManager::Item* item = m_sources.active();
     return item != nullptr ? item->playback() : nullptr;
-}
-
-void OperatePage::watchFailures(const SourceManager::Item& item) {
-    const core::DeviceStatus status = item.channel->status();
-    if (status.state != core::DeviceState::lost) {
-        m_reportedLost.erase(item.key);
-        return;
-    }
-    if (!m_reportedLost.insert(item.key).second)
-        return;
-    const bool recorded = item.channel->summary().recorded;
-    m_messages->post({chrome::Message::Severity::error, tr("%1 was lost.", "a source").arg(item.name),
-                      recorded ? tr("The file cannot be read further: it is damaged, or its disk is gone. "
-                                    "Open it again when it can be read.")
-                               : tr("Check the cable and the power supply; it is tried again by itself."),
-                      QString::fromStdString(status.message)});
-}
-
-void OperatePage::watchDamage(const SourceManager::Item& item) {
-    const auto* playback = std::get_if<app::RecordingRequest>(&item.request);
-    if (playback != nullptr && playback->settingsChanged && m_reportedChanged.insert(item.key).second)
-        m_messages->post({chrome::Message::Severity::information,
-                          tr("The settings of %1 changed while it was recorded.", "a source").arg(item.name),
-                          tr("It is played with those of the beginning; the events of the recording have the "
-                             "others."),
-                          QString::fromStdString(playback->path)});
-    const core::PlaybackControl* control = item.playback();
-    if (control == nullptr || control->position().damagedBlocks == 0 ||
-        !m_reportedDamaged.insert(item.key).second)
-        return;
-    m_messages->post({chrome::Message::Severity::warning,
-                      tr("The recording of %1 is damaged.", "a source").arg(item.name),
-                      tr("The blocks that cannot be read are passed over; the others are played."),
-                      playback != nullptr ? QString::fromStdString(playback->path) : QString()});
-}
-
-void OperatePage::watchTemperature(const SourceManager::Item& item) {
-    const auto array = item.array();
-    const auto moved = array ? array->temperatureDrift() : std::nullopt;
-    if (!moved) {
-        m_reportedWarm.erase(item.key);
-        return;
-    }
-    if (!m_reportedWarm.insert(item.key).second)
-        return;
-    const QString change =
-        base::withUnit(QLocale().toString(std::abs(moved->change_K), 'f', 1), QStringLiteral("K"));
-    m_messages->post(
-        {chrome::Message::Severity::warning,
-         moved->change_K > 0.0 ? tr("%1 has become warmer since its tare.", "a source").arg(item.name)
-                               : tr("%1 has become colder since its tare.", "a source").arg(item.name),
-         item.channel->summary().recorded
-             ? tr("What it reads at rest moved with temperature while it was recorded.")
-             : tr("What it reads at rest moves with temperature. Tare it again with nothing touching."),
-         tr("Chip %1: %2").arg(moved->chip).arg(change)});
 }
 
 void OperatePage::onBraceletFailed(const core::Error& error) {

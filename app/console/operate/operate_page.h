@@ -10,6 +10,7 @@
 #include "app/console/operate/scene_views.h"
 #include "app/console/operate/servo_views.h"
 #include "app/console/operate/site_views.h"
+#include "app/console/operate/source_watch.h"
 #include "app/console/sources/source_manager.h"
 #include "widgets/charts/feature_history.h"
 #include "widgets/chrome/device_strip.h"
@@ -21,7 +22,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -121,11 +121,9 @@ private:
     /// Of the streams of a site that are open here; null: none.
     [[nodiscard]] std::vector<site_view::SiteBarState::Count>
     lossesOf(const site_link::SiteClient* site) const;
-    void watchFailures(const SourceManager::Item& item);
-    /// Reports once what a recording contains that is not played.
-    void watchDamage(const SourceManager::Item& item);
-    /// Reports that chips are far from the temperature of their tare, until they are not.
-    void watchTemperature(const SourceManager::Item& item);
+    /// A live arm whose touches the bracelet does not play since it is not shown; null: none.
+    [[nodiscard]] const SourceManager::Item* unfeltArm() const;
+    void tellUnfelt();
     core::PlaybackControl* playback();
     /// Applies a playback command to the other sources of the shown recording.
     template <typename Call>
@@ -137,6 +135,7 @@ private:
     BraceletService& m_bracelet;
     core::StopSwitch& m_stop;
     chrome::MessageBar* m_messages;
+    SourceWatch m_watch;
     chrome::SourceChooser* m_chooser;
     chrome::PlaybackBar* m_playback;
     QStackedWidget* m_stack;
@@ -156,11 +155,7 @@ private:
     SiteViews* m_site;
     std::uint64_t m_settingsRevision = 0;
     std::optional<double> m_latency_s;
-    std::set<pipeline::ChannelKey> m_reportedLost;
-    std::set<pipeline::ChannelKey> m_reportedDamaged;
-    std::set<pipeline::ChannelKey> m_reportedWarm;    ///< or cold
-    std::set<pipeline::ChannelKey> m_reportedChanged; ///< settings
-    pipeline::ChannelKey m_shown = 0;                 ///< whose samples the charts have
+    pipeline::ChannelKey m_shown = 0; ///< whose samples the charts have
     std::map<pipeline::ChannelKey, charts::FeatureHistory> m_keptCharts;
 };
 

@@ -3,7 +3,6 @@
 
 #include "app/console/study/forms/deletion_dialog.h"
 #include "app/console/study/forms/new_study_dialog.h"
-#include "app/console/study/forms/protocol_dialog.h"
 #include "app/console/study/forms/server_fields.h"
 #include "app/console/study/forms/server_study_dialog.h"
 #include "app/console/study/study_writing.h"
@@ -100,7 +99,8 @@ void StudyPage::build() {
     using study::StudyStart;
     connect(m_empty, &StudyStart::lastRequested, this, &StudyPage::open);
     connect(m_empty, &StudyStart::rehearsalRequested, this, [this] { watchRehearsal(); });
-    connect(m_empty, &StudyStart::publishedRequested, this, &StudyPage::showPaper);
+    connect(m_empty, &StudyStart::publishedRequested, this,
+            [this] { withPaper([this](const study::Protocol& paper) { readProtocol(paper); }); });
     connect(m_empty, &StudyStart::newRequested, this, [this] { askForNewStudy(study::Mode::run); });
     connect(m_empty, &StudyStart::openRequested, this, &StudyPage::askForStudy);
     connect(m_empty, &StudyStart::openServerRequested, this, &StudyPage::askForServer);
@@ -202,7 +202,7 @@ void StudyPage::connectViews() {
     connect(m_study, &StudyPanel::openRequested, this, &StudyPage::askForStudy);
     connect(m_study, &StudyPanel::openServerRequested, this, &StudyPage::askForServer);
     connect(m_study, &StudyPanel::protocolRequested, this,
-            [this] { showProtocol(m_controller.overview()->head.protocol); });
+            [this] { readProtocol(m_controller.overview()->head.protocol); });
     connect(m_study, &StudyPanel::enrolRequested, &m_controller, &StudyController::enrol);
     connect(&m_controller, &StudyController::enrolled, m_study, &StudyPanel::clearName);
     connect(m_study, &StudyPanel::deleteRequested, this, &StudyPage::askForDeletion);
@@ -288,6 +288,8 @@ void StudyPage::open(const QString& path) {
         [this, path](const std::optional<Protocol>& protocol) {
             if (!protocol)
                 m_controller.open(path.toStdString());
+            else if (*protocol && path.startsWith(QLatin1Char(':'))) // comes with the program
+                readProtocol(**protocol);
             else if (*protocol)
                 showProtocol(**protocol);
             else
@@ -340,45 +342,6 @@ void StudyPage::askForNewStudy(study::Mode mode, std::optional<study::Protocol> 
                     [this, dialog] { m_controller.create(dialog->location(), dialog->head()); });
             dialog->open();
         });
-}
-
-/// Replaces a form that is open.
-void StudyPage::showProtocol(const study::Protocol& protocol) {
-    for (auto* old : findChildren<ProtocolDialog*>()) {
-        if (!old->isVisible()) // closed already
-            continue;
-        old->whenSettled([this, old, protocol] {
-            old->done(QDialog::Rejected);
-            showProtocol(protocol);
-        });
-        return;
-    }
-    auto* dialog = new ProtocolDialog(protocol, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ProtocolDialog::openRequested, this, &StudyPage::askForProtocol);
-    connect(dialog, &ProtocolDialog::paperRequested, this, &StudyPage::showPaper);
-    connect(dialog, &ProtocolDialog::studyRequested, this,
-            [this](const study::Protocol& valid) { askForNewStudy(study::Mode::run, valid); });
-    // The form stays open if the new study is cancelled.
-    connect(&m_controller, &StudyController::opened, dialog,
-            [this, dialog] { dialog->leaveTo(m_controller.overview()->head.protocol); });
-    dialog->show();
-}
-
-void StudyPage::showPaper() {
-    base::runInBackground(
-        this, [] { return study::paperProtocol(); },
-        [this](const core::Expected<study::Protocol>& paper) {
-            if (paper)
-                showProtocol(*paper);
-            else
-                report(tr("The paper's protocol could not be read."), paper.error());
-        });
-}
-
-void StudyPage::askForProtocol() {
-    base::askToOpen(this, {.title = tr("Open a protocol"), .filters = {tr("Protocols (*.toml)")}},
-                    [this](const QString& path) { open(path); });
 }
 
 void StudyPage::askForStudy() {

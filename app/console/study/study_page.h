@@ -14,6 +14,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -89,7 +90,8 @@ private:
     void askForDeletion(int participant);
     void askForServer();
     void showProtocol(const study::Protocol& protocol);
-    void showPaper();
+    void readProtocol(const study::Protocol& protocol);
+    void withPaper(std::function<void(const study::Protocol&)> use);
     void askForProtocol();
     void analyse();
     void report(const QString& what, const core::Error& error);

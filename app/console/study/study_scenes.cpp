@@ -525,8 +525,10 @@ study::ParticipantScene StudyScenes::participant(const StudyController& controll
         scene.state = State::feedback;
         break;
     case Stage::finished:
-    case Stage::aborted:
         scene.state = State::finished;
+        break;
+    case Stage::aborted:
+        scene.state = State::ended;
         break;
     }
     return scene;

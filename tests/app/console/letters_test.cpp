@@ -13,6 +13,7 @@
 #include "app/console/study/forms/deletion_dialog.h"
 #include "app/console/study/forms/new_study_dialog.h"
 #include "app/console/study/forms/protocol_dialog.h"
+#include "app/console/study/forms/protocol_reading.h"
 #include "app/console/study/forms/server_study_dialog.h"
 #include "app/console/study/study_page.h"
 #include "backend/pattern/files/foreign_formats.h"
@@ -265,6 +266,8 @@ private:
             const QString name = QString::fromStdString(protocol.name);
             all.insert(QStringLiteral("protocol ") + name,
                        [protocol] { return std::make_unique<console::ProtocolDialog>(protocol); });
+            all.insert(QStringLiteral("reading ") + name,
+                       [protocol] { return std::make_unique<console::ProtocolReading>(protocol); });
             all.insert(QStringLiteral("new study ") + name, [protocol] {
                 return std::make_unique<console::NewStudyDialog>(protocol, QStringLiteral("studies"));
             });

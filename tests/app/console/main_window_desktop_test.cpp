@@ -2,7 +2,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/patterns/patterns_page.h"
 #include "app/console/start/start_page.h"
-#include "app/console/study/forms/protocol_dialog.h"
+#include "app/console/study/forms/protocol_reading.h"
 #include "app/console/study/study_page.h"
 #include "tests/app/console/window_bench.h"
 #include "widgets/base/theme.h"
@@ -291,7 +291,7 @@ private slots:
         QVERIFY(card("The published protocol") != nullptr);
         QTest::mouseClick(card("The published protocol"), Qt::LeftButton);
         QTRY_VERIFY(m_window->studyPage().isVisible());
-        QTRY_VERIFY(m_window->studyPage().findChild<console::ProtocolDialog*>() != nullptr);
+        QTRY_VERIFY(m_window->studyPage().findChild<console::ProtocolReading*>() != nullptr);
     }
 
     void recentFilesHaveAPictureOfWhatIsInThem() {

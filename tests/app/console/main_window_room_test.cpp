@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
+#include "app/console/help/handbook_window.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/start/start_page.h"
 #include "tests/app/console/window_bench.h"
@@ -372,6 +373,28 @@ private slots:
         }
         m_window->operatePage().docks().resetLayout(); // for the next window
         m_window->close();
+    }
+
+    void helpLeavesStopInReach_data() {
+        QTest::addColumn<QSize>("size");
+        for (const QSize& size : {kScaledTwice, kSmallScreen, kUsualSize})
+            QTest::newRow(qPrintable(QStringLiteral("%1 x %2").arg(size.width()).arg(size.height()))) << size;
+    }
+    void helpLeavesStopInReach() {
+        QFETCH(QSize, size);
+        openWindow();
+        m_window->resize(size);
+        settle();
+        const auto* stop = child<chrome::StopButton>();
+        const auto isClear = [stop](const QWidget* window) {
+            return !window->frameGeometry().intersects(QRect(stop->mapToGlobal(QPoint()), stop->size()));
+        };
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTest::keyClick(m_window.get(), Qt::Key_F1);
+        QTRY_VERIFY(child<console::HandbookWindow>() != nullptr &&
+                    child<console::HandbookWindow>()->isVisible());
+        QTRY_VERIFY(isClear(child<console::HandbookWindow>()));
     }
 };
 

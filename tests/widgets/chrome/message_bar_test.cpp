@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/base/picture_property.h"
 #include "widgets/chrome/message_bar.h"
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFrame>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
@@ -270,6 +272,40 @@ private slots:
         QCoreApplication::processEvents();
         QCOMPARE(picture->geometry(), before);
         QVERIFY(bar.geometry().intersects(before));
+    }
+
+    void liesOverAPictureWhereEachCornerHasControls() {
+        QWidget view;
+        auto* column = new QVBoxLayout(&view);
+        const auto addButtons = [&] {
+            auto* line = new QHBoxLayout;
+            for (const char* text : {"One", "Two"})
+                line->addWidget(new QPushButton(QString::fromLatin1(text), &view));
+            column->addLayout(line);
+        };
+        addButtons();
+        auto* picture = new QWidget(&view);
+        picture->setFocusPolicy(Qt::StrongFocus);
+        picture->setProperty(teleta::base::kPictureProperty, true);
+        column->addWidget(picture, 1);
+        addButtons();
+        MessageBar bar(&view);
+        const int line = view.fontMetrics().height();
+        view.resize(line * 60, line * 40);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        const QRect before = picture->geometry();
+        bar.post(message("one"));
+        QCoreApplication::processEvents();
+        QCOMPARE(picture->geometry(), before);
+        QVERIFY(before.contains(bar.geometry()));
+        // Too narrow for a sentence: the view makes room again.
+        picture->setMaximumWidth(line * 10);
+        bar.post(message("two"));
+        QTRY_VERIFY(!bar.geometry().intersects(picture->geometry()));
+        QVERIFY(view.rect().contains(bar.geometry()));
+        for (const auto* button : view.findChildren<QPushButton*>())
+            QVERIFY(!bar.geometry().intersects(button->geometry()));
     }
 
     void informationLeavesByItselfAndTroubleStays() {

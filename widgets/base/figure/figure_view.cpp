@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/base/figure/figure_view.h"
 
+#include "widgets/base/picture_property.h"
+
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -13,6 +15,7 @@ FigureView::FigureView(QWidget* parent, QSizeF usual_em, QSizeF smallest_em)
     : SizedView(parent, usual_em, smallest_em)
     , m_export(this, [this] { return figure(); }) {
     setFocusPolicy(Qt::StrongFocus);
+    setProperty(kPictureProperty, true);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
     connect(&m_export, &FigureExport::saved, this, &FigureView::exported);

@@ -34,6 +34,7 @@ struct ParticipantScene {
         paused,
         stopped, ///< STOP, or a lost device
         finished,
+        ended,         ///< before all trials
         questionnaire, ///< a questionnaire replaces the answers
     };
 

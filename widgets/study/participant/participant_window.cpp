@@ -156,6 +156,8 @@ QString ParticipantWindow::instruction() const {
         return tr("Stopped. The bracelet is off. Please wait for the experimenter.");
     case State::finished:
         return tr("This part is finished. Thank you!");
+    case State::ended:
+        return tr("The session has ended. Please wait for the experimenter.");
     case State::questionnaire:
         return m_questionnaireTitle;
     }

@@ -2,6 +2,7 @@
 #include "widgets/view3d/vtk/vtk_canvas.h"
 
 #include "backend/core/steady_time.h"
+#include "widgets/base/picture_property.h"
 
 #include <QApplication>
 #include <QBackingStore>
@@ -43,6 +44,7 @@ VtkCanvas::VtkCanvas(GuestRenderWindow* window, vtkRenderWindowInteractor* inter
     , m_window(window)
     , m_interactor(interactor) {
     setFocusPolicy(Qt::StrongFocus);
+    setProperty(base::kPictureProperty, true);
     setAttribute(Qt::WA_OpaquePaintEvent); // so that what is below is not painted as well
     m_lookAgain.setTimerType(Qt::PreciseTimer);
     m_lookAgain.setInterval(kLookAgain_ms);

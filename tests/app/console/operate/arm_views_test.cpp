@@ -13,6 +13,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/bracelet/bracelet_view.h"
 #include "widgets/charts/joint_chart_view.h"
+#include "widgets/chrome/message_bar.h"
 #include "widgets/chrome/page_rail.h"
 #include "widgets/pattern/document/pattern_document.h"
 #include "widgets/pattern/pattern_editor.h"
@@ -33,6 +34,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QTranslator>
 
 #include <cmath>
@@ -356,6 +358,31 @@ private slots:
         QTRY_VERIFY(child<touch::StiffnessGauge>()->content().touch.has_value());
         QCOMPARE(child<touch::StiffnessGauge>()->content().touch->material, stiffness::Material::metal);
         QCOMPARE(child<touch::TouchTable>()->touches(), 1);
+    }
+
+    void saysThatTheBraceletDoesNotPlayAnArmThatIsNotShown() {
+        openArm();
+        m_window->bracelet().choose(BraceletChoice::simulated);
+        QTRY_VERIFY(m_window->bracelet().isReady());
+        const auto remark = [this] { return m_window->operatePage().readings().back().remark; };
+        QVERIFY(remark().isEmpty());
+        const auto armKey = m_window->sources().items().front().key;
+        const QString name = m_window->sources().items().front().name;
+        ConsoleOptions other;
+        other.scenes = {QStringLiteral(":/scenes/tactile-indenter.toml")};
+        m_window->openRequested(other);
+        QTRY_VERIFY_WITH_TIMEOUT(arm() == nullptr, 20'000);
+        QVERIFY2(remark().contains(name), qPrintable(remark()));
+        auto& notices = m_window->operatePage().messages();
+        QTRY_COMPARE(notices.count(), 1);
+        QTest::mouseClick(notices.findChild<QToolButton*>(QStringLiteral("action")), Qt::LeftButton);
+        QCOMPARE(m_window->sources().active()->key, armKey);
+        QVERIFY(remark().isEmpty());
+        // Nothing is felt of an arm on purpose: no word about it.
+        m_window->operatePage().armViews().feedbackPanel().setMode(pipeline::FeedbackMode::off);
+        m_window->sources().activate(m_window->sources().items().back().key);
+        QVERIFY(arm() == nullptr && remark().isEmpty());
+        QCOMPARE(notices.count(), 0);
     }
 
     void aTactorIsFeltWhileItIsHeld() {

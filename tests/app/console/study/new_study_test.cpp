@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/new_study_dialog.h"
 #include "app/console/study/forms/protocol_dialog.h"
+#include "app/console/study/forms/protocol_reading.h"
 #include "tests/app/console/study/study_bench.h"
 
 #include <QApplication>
@@ -72,7 +73,9 @@ private slots:
         }
         button("publishedProtocolButton")->setFocus();
         QTest::keyClick(button("publishedProtocolButton"), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<console::ProtocolDialog*>(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<console::ProtocolReading*>(), kPatience_ms);
+        QTest::mouseClick(m_page->findChild<QPushButton*>("changeProtocol"), Qt::LeftButton);
+        QVERIFY(m_page->findChild<console::ProtocolDialog*>() != nullptr);
     }
 
     void theStudyThatWasOpenLastIsOfferedWithHowFarItIs() {
@@ -94,7 +97,7 @@ private slots:
         openPage();
         m_page->setLast(studyFolder());
         QTest::mouseClick(m_page->findChild<QPushButton*>("publishedProtocolButton"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<console::ProtocolDialog*>(), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_page->findChild<console::ProtocolReading*>(), kPatience_ms);
         QVERIFY(!m_page->findChild<QPushButton*>("continueStudyButton")->isVisible());
     }
 

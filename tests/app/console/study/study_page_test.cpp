@@ -319,6 +319,7 @@ private slots:
                 QTest::mouseClick(button, Qt::LeftButton);
         }
         QCOMPARE(stage(), Stage::aborted);
+        QTRY_VERIFY(window()->instruction().startsWith(QStringLiteral("The session has ended.")));
         QTRY_VERIFY_WITH_TIMEOUT(!controller().isBusy(), kPatience_ms);
         const auto before = kept();
         QCOMPARE(before.size(), std::size_t(3));
