@@ -3124,6 +3124,10 @@ Exemples&#xa0;:
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>too few touches for a shape</source>
+        <translation>trop peu de contacts pour une forme</translation>
+    </message>
 </context>
 <context>
     <name>CostFigureText</name>
@@ -3648,16 +3652,8 @@ Exemples&#xa0;:
         <translation>Un bras touche cinq matériaux</translation>
     </message>
     <message>
-        <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
-        <translation>Éponge, caoutchouc mousse, caoutchouc, bois et métal&#xa0;: point de contact, force, raideur, bracelet</translation>
-    </message>
-    <message>
         <source>An arm explores a round object</source>
         <translation>Un bras explore un objet rond</translation>
-    </message>
-    <message>
-        <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
-        <translation>L’avant-bras le touche de tous côtés&#xa0;: points de contact, spline, forme reconnue</translation>
     </message>
     <message>
         <source>An arm explores a rectangular object</source>
@@ -3848,10 +3844,6 @@ Exemples&#xa0;:
         <translation>Elle tourne autour de la normale, et la peau tourne avec elle</translation>
     </message>
     <message>
-        <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
-        <translation>Pilotez-le vous-même par une liaison lente, ou regardez un opérateur programmé les trouver</translation>
-    </message>
-    <message>
         <source>A ball bumps into a flat gel</source>
         <translation>Une bille heurte un gel plat</translation>
     </message>
@@ -3866,6 +3858,18 @@ Exemples&#xa0;:
     <message>
         <source>The arm follows a ball that drags the gel along</source>
         <translation>Le bras suit une bille qui entraîne le gel</translation>
+    </message>
+    <message>
+        <source>From sponge to metal: where it touches, how hard and how stiff</source>
+        <translation>De l’éponge au métal&#xa0;: où, avec quelle force, quelle raideur</translation>
+    </message>
+    <message>
+        <source>Outline and shape from single touches</source>
+        <translation>Contour et forme par des contacts</translation>
+    </message>
+    <message>
+        <source>Find them over a slow link, or watch</source>
+        <translation>Trouvez-les par une liaison lente</translation>
     </message>
 </context>
 <context>
@@ -9132,7 +9136,7 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Which was it?</source>
-        <translation>Lequel était-ce ?</translation>
+        <translation>Lequel était-ce&#xa0;?</translation>
     </message>
     <message>
         <source>Question</source>
@@ -9164,19 +9168,19 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Yes or no: was it there?</source>
-        <translation>Oui ou non : était-il là ?</translation>
+        <translation>Oui ou non&#xa0;: était-il là&#xa0;?</translation>
     </message>
     <message>
         <source>Intervals: in which one was it?</source>
-        <translation>Intervalles : dans lequel était-il ?</translation>
+        <translation>Intervalles&#xa0;: dans lequel était-il&#xa0;?</translation>
     </message>
     <message>
         <source>Same or different?</source>
-        <translation>Identiques ou différents ?</translation>
+        <translation>Identiques ou différents&#xa0;?</translation>
     </message>
     <message>
         <source>Compare: which one had more?</source>
-        <translation>Comparaison : lequel en avait plus ?</translation>
+        <translation>Comparaison&#xa0;: lequel en avait plus&#xa0;?</translation>
     </message>
     <message>
         <source>constant stimuli</source>
@@ -15318,6 +15322,73 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>a scene of an array or a servo</source>
         <translation>une scène d’une matrice ou d’un asservissement</translation>
+    </message>
+</context>
+<context>
+    <name>SweepTexts</name>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Contact by place and depth</source>
+        <translation>Contact selon le lieu et la profondeur</translation>
+    </message>
+    <message>
+        <source>How exactly does the camera in the soft tube find a finger along the tube?</source>
+        <translation>Avec quelle exactitude la caméra du tube souple trouve-t-elle un doigt le long du tube&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Touched object</source>
+        <translation>Objet touché</translation>
+    </message>
+    <message>
+        <source>Stiffness by noise and speed</source>
+        <translation>Raideur selon le bruit et la vitesse</translation>
+    </message>
+    <message>
+        <source>Over which stiffnesses, noises and speeds does a touch find the stiffness?</source>
+        <translation>Pour quelles raideurs, quels bruits et quelles vitesses un contact trouve-t-il la raideur&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Curve through contact points</source>
+        <translation>Courbe passant par des points de contact</translation>
+    </message>
+    <message>
+        <source>How far is the curve from the outline, and how long does it take?</source>
+        <translation>À quelle distance du contour est la courbe, et en combien de temps&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>Asservissement</translation>
+    </message>
+    <message>
+        <source>Bent bar by friction and latency</source>
+        <translation>Barre courbe selon le frottement et la latence</translation>
+    </message>
+    <message>
+        <source>Over which radii, frictions and latencies does the array follow the bar?</source>
+        <translation>Pour quels rayons, quels frottements et quelles latences la matrice suit-elle la barre&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Frames to learn from</source>
+        <translation>Trames pour l’apprentissage</translation>
+    </message>
+    <message>
+        <source>Two balls on an array</source>
+        <translation>Deux billes sur une matrice</translation>
+    </message>
+    <message>
+        <source>A million frames, with where and how hard each ball presses.</source>
+        <translation>Un million de trames, avec le lieu et la force de chaque bille.</translation>
+    </message>
+    <message>
+        <source>An array along a bent bar</source>
+        <translation>Une matrice le long d’une barre courbe</translation>
+    </message>
+    <message>
+        <source>A million frames, with where, how hard and along which normal it is pressed.</source>
+        <translation>Un million de trames, avec le lieu, la force et la normale de l’appui.</translation>
     </message>
 </context>
 <context>
@@ -23932,11 +24003,11 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>The file cannot be read further: it is damaged, or its disk is gone. Open it again when it can be read.</source>
-        <translation>La suite du fichier est illisible : il est endommagé, ou son disque n’est plus là. Ouvrez-le à nouveau lorsqu’il sera lisible.</translation>
+        <translation>La suite du fichier est illisible&#xa0;: il est endommagé, ou son disque n’est plus là. Ouvrez-le à nouveau lorsqu’il sera lisible.</translation>
     </message>
     <message>
         <source>Check the cable and the power supply; it is tried again by itself.</source>
-        <translation>Vérifiez le câble et l’alimentation ; une nouvelle tentative est faite automatiquement.</translation>
+        <translation>Vérifiez le câble et l’alimentation&#xa0;; une nouvelle tentative est faite automatiquement.</translation>
     </message>
     <message>
         <source>The settings of %1 changed while it was recorded.</source>
@@ -23945,7 +24016,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>It is played with those of the beginning; the events of the recording have the others.</source>
-        <translation>La lecture utilise ceux du début ; les événements de l’enregistrement contiennent les autres.</translation>
+        <translation>La lecture utilise ceux du début&#xa0;; les événements de l’enregistrement contiennent les autres.</translation>
     </message>
     <message>
         <source>The recording of %1 is damaged.</source>
@@ -23954,7 +24025,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>The blocks that cannot be read are passed over; the others are played.</source>
-        <translation>Les blocs illisibles sont ignorés ; les autres sont lus.</translation>
+        <translation>Les blocs illisibles sont ignorés&#xa0;; les autres sont lus.</translation>
     </message>
     <message>
         <source>%1 has become warmer since its tare.</source>
@@ -23976,7 +24047,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>Chip %1: %2</source>
-        <translation>Puce %1 : %2</translation>
+        <translation>Puce %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -24494,6 +24565,30 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Open resu&amp;lts…</source>
         <translation>O&amp;uvrir des résultats…</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Ladder</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>all numbers of a run</source>
+        <translation>tous les nombres d’un passage</translation>
+    </message>
+    <message>
+        <source>%1 runs, one for each seed.</source>
+        <translation>%1 passages, un par graine.</translation>
     </message>
 </context>
 <context>

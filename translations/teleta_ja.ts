@@ -3118,6 +3118,10 @@ Examples:
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>too few touches for a shape</source>
+        <translation>形状を判断するには接触が足りません</translation>
+    </message>
 </context>
 <context>
     <name>CostFigureText</name>
@@ -3642,16 +3646,8 @@ Examples:
         <translation>アームが5種類の材料に触れる</translation>
     </message>
     <message>
-        <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
-        <translation>スポンジ、ゴムスポンジ、ゴム、木、金属: 接触点、力、剛性、ブレスレット</translation>
-    </message>
-    <message>
         <source>An arm explores a round object</source>
         <translation>アームが丸い物体を探索する</translation>
-    </message>
-    <message>
-        <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
-        <translation>前腕が周囲全体から触れる: 接触点、スプライン、認識された形状</translation>
     </message>
     <message>
         <source>An arm explores a rectangular object</source>
@@ -3842,10 +3838,6 @@ Examples:
         <translation>法線まわりに回され、皮膚も一緒に回る</translation>
     </message>
     <message>
-        <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
-        <translation>遅い回線越しに自分で操縦するか、スクリプトの操作者が見つけていくのを見ます</translation>
-    </message>
-    <message>
         <source>A ball bumps into a flat gel</source>
         <translation>球が平らなゲルにぶつかる</translation>
     </message>
@@ -3860,6 +3852,18 @@ Examples:
     <message>
         <source>The arm follows a ball that drags the gel along</source>
         <translation>ゲルを引く球にアームが追従する</translation>
+    </message>
+    <message>
+        <source>From sponge to metal: where it touches, how hard and how stiff</source>
+        <translation>スポンジから金属まで: 位置、力、剛性</translation>
+    </message>
+    <message>
+        <source>Outline and shape from single touches</source>
+        <translation>接触から輪郭と形状を求めます</translation>
+    </message>
+    <message>
+        <source>Find them over a slow link, or watch</source>
+        <translation>遅い回線越しに探すか、見学します</translation>
     </message>
 </context>
 <context>
@@ -15280,6 +15284,73 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>SweepTexts</name>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Contact by place and depth</source>
+        <translation>位置と深さによる接触</translation>
+    </message>
+    <message>
+        <source>How exactly does the camera in the soft tube find a finger along the tube?</source>
+        <translation>柔らかいチューブ内のカメラは、チューブに沿った指をどれだけ正確に見つけますか。</translation>
+    </message>
+    <message>
+        <source>Touched object</source>
+        <translation>触れた物体</translation>
+    </message>
+    <message>
+        <source>Stiffness by noise and speed</source>
+        <translation>ノイズと速度による剛性</translation>
+    </message>
+    <message>
+        <source>Over which stiffnesses, noises and speeds does a touch find the stiffness?</source>
+        <translation>どの剛性、ノイズ、速度の範囲で、接触から剛性が求まりますか。</translation>
+    </message>
+    <message>
+        <source>Curve through contact points</source>
+        <translation>接触点を通る曲線</translation>
+    </message>
+    <message>
+        <source>How far is the curve from the outline, and how long does it take?</source>
+        <translation>曲線は輪郭からどれだけ離れ、どれだけ時間がかかりますか。</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>サーボ</translation>
+    </message>
+    <message>
+        <source>Bent bar by friction and latency</source>
+        <translation>摩擦と遅延による曲がった棒</translation>
+    </message>
+    <message>
+        <source>Over which radii, frictions and latencies does the array follow the bar?</source>
+        <translation>どの半径、摩擦、遅延の範囲で、アレイは棒に追従しますか。</translation>
+    </message>
+    <message>
+        <source>Frames to learn from</source>
+        <translation>学習用のフレーム</translation>
+    </message>
+    <message>
+        <source>Two balls on an array</source>
+        <translation>アレイ上の2つの球</translation>
+    </message>
+    <message>
+        <source>A million frames, with where and how hard each ball presses.</source>
+        <translation>100万フレーム。各球が押す位置と力を含みます。</translation>
+    </message>
+    <message>
+        <source>An array along a bent bar</source>
+        <translation>曲がった棒に沿うアレイ</translation>
+    </message>
+    <message>
+        <source>A million frames, with where, how hard and along which normal it is pressed.</source>
+        <translation>100万フレーム。押される位置、力、法線を含みます。</translation>
+    </message>
+</context>
+<context>
     <name>TableText</name>
     <message>
         <source>the recording has no frames</source>
@@ -24416,6 +24487,30 @@ Run teleta-site --help for more.
     <message>
         <source>Open resu&amp;lts…</source>
         <translation>結果を開く(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>シーン</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>プロトコル</translation>
+    </message>
+    <message>
+        <source>Ladder</source>
+        <translation>ラダー</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>all numbers of a run</source>
+        <translation>実行のすべての数値</translation>
+    </message>
+    <message>
+        <source>%1 runs, one for each seed.</source>
+        <translation>%1 回の実行、シードごとに1回。</translation>
     </message>
 </context>
 <context>

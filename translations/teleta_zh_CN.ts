@@ -3118,6 +3118,10 @@ Examples:
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>too few touches for a shape</source>
+        <translation>触碰太少，无法判断形状</translation>
+    </message>
 </context>
 <context>
     <name>CostFigureText</name>
@@ -3642,16 +3646,8 @@ Examples:
         <translation>机械臂触碰五种材料</translation>
     </message>
     <message>
-        <source>Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet</source>
-        <translation>海绵、橡胶海绵、橡胶、木材和金属：接触点、力、刚度、手环</translation>
-    </message>
-    <message>
         <source>An arm explores a round object</source>
         <translation>机械臂探索圆形物体</translation>
-    </message>
-    <message>
-        <source>The forearm touches it from all around: contact points, spline, recognised shape</source>
-        <translation>前臂从四周触碰物体：接触点、样条曲线、识别的形状</translation>
     </message>
     <message>
         <source>An arm explores a rectangular object</source>
@@ -3842,10 +3838,6 @@ Examples:
         <translation>球绕法线转动，表面随之转动</translation>
     </message>
     <message>
-        <source>Drive it yourself over a slow link, or watch a scripted operator find them</source>
-        <translation>通过慢速链路自行操控，或观看脚本操作员逐一找到它们</translation>
-    </message>
-    <message>
         <source>A ball bumps into a flat gel</source>
         <translation>小球撞上平面凝胶</translation>
     </message>
@@ -3860,6 +3852,18 @@ Examples:
     <message>
         <source>The arm follows a ball that drags the gel along</source>
         <translation>机械臂跟随拖动凝胶的小球</translation>
+    </message>
+    <message>
+        <source>From sponge to metal: where it touches, how hard and how stiff</source>
+        <translation>从海绵到金属：触碰位置、力和刚度</translation>
+    </message>
+    <message>
+        <source>Outline and shape from single touches</source>
+        <translation>由逐次触碰得出轮廓和形状</translation>
+    </message>
+    <message>
+        <source>Find them over a slow link, or watch</source>
+        <translation>经慢速链路寻找它们，或观看</translation>
     </message>
 </context>
 <context>
@@ -15280,6 +15284,73 @@ Run teleta-site --help for more.
     </message>
 </context>
 <context>
+    <name>SweepTexts</name>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Contact by place and depth</source>
+        <translation>不同位置和深度的触碰</translation>
+    </message>
+    <message>
+        <source>How exactly does the camera in the soft tube find a finger along the tube?</source>
+        <translation>软管内的相机沿管能多准确地找到手指？</translation>
+    </message>
+    <message>
+        <source>Touched object</source>
+        <translation>被触碰物体</translation>
+    </message>
+    <message>
+        <source>Stiffness by noise and speed</source>
+        <translation>不同噪声和速度下的刚度</translation>
+    </message>
+    <message>
+        <source>Over which stiffnesses, noises and speeds does a touch find the stiffness?</source>
+        <translation>在哪些刚度、噪声和速度下，触碰能得出刚度？</translation>
+    </message>
+    <message>
+        <source>Curve through contact points</source>
+        <translation>通过接触点的曲线</translation>
+    </message>
+    <message>
+        <source>How far is the curve from the outline, and how long does it take?</source>
+        <translation>曲线与轮廓相差多少，需要多长时间？</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>伺服</translation>
+    </message>
+    <message>
+        <source>Bent bar by friction and latency</source>
+        <translation>不同摩擦和延迟下的弯杆</translation>
+    </message>
+    <message>
+        <source>Over which radii, frictions and latencies does the array follow the bar?</source>
+        <translation>在哪些半径、摩擦和延迟下，阵列能跟随杆？</translation>
+    </message>
+    <message>
+        <source>Frames to learn from</source>
+        <translation>用于学习的帧</translation>
+    </message>
+    <message>
+        <source>Two balls on an array</source>
+        <translation>阵列上的两个球</translation>
+    </message>
+    <message>
+        <source>A million frames, with where and how hard each ball presses.</source>
+        <translation>一百万帧，含每个球按压的位置和力。</translation>
+    </message>
+    <message>
+        <source>An array along a bent bar</source>
+        <translation>沿弯杆移动的阵列</translation>
+    </message>
+    <message>
+        <source>A million frames, with where, how hard and along which normal it is pressed.</source>
+        <translation>一百万帧，含受压的位置、力和法线。</translation>
+    </message>
+</context>
+<context>
     <name>TableText</name>
     <message>
         <source>the recording has no frames</source>
@@ -24416,6 +24487,30 @@ Run teleta-site --help for more.
     <message>
         <source>Open resu&amp;lts…</source>
         <translation>打开结果(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Ladder</source>
+        <translation>阶梯</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>all numbers of a run</source>
+        <translation>一次运行的所有数值</translation>
+    </message>
+    <message>
+        <source>%1 runs, one for each seed.</source>
+        <translation>%1 次运行，每个种子一次。</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include <QAbstractItemView>
 #include <QDockWidget>
+#include <QLabel>
 #include <QWidget>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ constexpr double kLeastWidth_em = 24.0;
 struct Covered {
     int small = 0;
     qint64 lists_px2 = 0;
+    int texts = 0; ///< which are only read
     qint64 area_px2 = 0;
     [[nodiscard]] bool isHarm() const { return small > 0 || lists_px2 > 0; }
     friend auto operator<=>(const Covered&, const Covered&) = default;
@@ -44,10 +46,17 @@ std::vector<Covered> coveredAt(const QWidget& view, const std::vector<QRect>& pl
                 qint64{common.width()} * common.height();
         }
     };
+    const auto countText = [&](const QRect& text) {
+        for (std::size_t index = 0; index < places.size(); ++index)
+            covered[index].texts += text.intersects(places[index]) ? 1 : 0;
+    };
     for (const QWidget* each : view.findChildren<QWidget*>()) {
         if (!each->isVisibleTo(&view) || each->isWindow() || each == &ignored || ignored.isAncestorOf(each))
             continue;
         const QPoint at = each->mapTo(&view, QPoint());
+        const auto* label = qobject_cast<const QLabel*>(each);
+        if (label != nullptr && !label->text().isEmpty())
+            countText({at, each->size()});
         const auto* dock = qobject_cast<const QDockWidget*>(each);
         if (dock != nullptr && dock->widget() != nullptr)
             count({at, QSize(dock->width(), dock->widget()->y())}); // its title

@@ -19,8 +19,8 @@ struct FreeCorner {
 /// The place of a notice of this size over a view: the corner of `seen` (in the view's coordinates) where it
 /// covers the fewest controls. Of equal ones the first of bottom left, bottom right, top left, top right. A
 /// control is what takes the focus, also one that cannot be used yet, or the title of a dock; `ignored` and
-/// what is inside it do not count. Buttons, fields and sliders count before lists and tables, and these
-/// before canvases, of which a part remains in reach. Thread: GUI.
+/// what is inside it do not count. Buttons, fields and sliders count before lists and tables, these
+/// before texts, and these before canvases, of which a part remains in reach. Thread: GUI.
 [[nodiscard]] FreeCorner freeCorner(const QWidget& view, const QRect& seen, QSize size,
                                     const QWidget& ignored);
 

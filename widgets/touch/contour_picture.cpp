@@ -48,6 +48,8 @@ void drawCircleIn(QPainter& painter, const QRectF& rect, const QPointF& centre, 
 QString ContourPicture::headline() const {
     if (contour.points_m.empty())
         return tr("nothing explored yet");
+    if (contour.points_m.size() < contour.kLeastPoints)
+        return tr("too few touches for a shape");
     if (!contour.recognition)
         return TouchTexts::shape(teleta::contour::Shape::unknown);
     if (contour.recognition->candidates().size() > 1)

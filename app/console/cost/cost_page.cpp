@@ -2,6 +2,7 @@
 #include "app/console/cost/cost_page.h"
 
 #include "app/common/scene_file.h"
+#include "app/console/cost/apart_items.h"
 #include "app/console/cost/cost_words.h"
 #include "app/console/cost/sweep_panel.h"
 #include "backend/cost/frontier.h"
@@ -24,7 +25,6 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -72,31 +72,6 @@ QVBoxLayout* columnOf(QWidget* column, std::initializer_list<QWidget*> widgets) 
     base::addWidgets(layout, widgets);
     return layout;
 }
-
-/// Keeps the items of a list apart. The list's own spacing makes them narrower than it has counted their
-/// lines for.
-class ApartItems : public QStyledItemDelegate {
-public:
-    explicit ApartItems(QWidget* list)
-        : QStyledItemDelegate(list)
-        , m_gap(base::grid(list, 0.5)) {}
-
-    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
-                                 const QModelIndex& index) const override {
-        const bool isHeading = !index.flags().testFlag(Qt::ItemIsEnabled);
-        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, (isHeading ? 4 : 2) * m_gap);
-    }
-
-protected:
-    /// A heading cannot be chosen, and is as dark as what can.
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->state |= QStyle::State_Enabled;
-    }
-
-private:
-    int m_gap;
-};
 
 QLabel* wrapped(QWidget* parent) {
     auto* label = new QLabel(parent);

@@ -3,6 +3,8 @@
 
 #include "app/common/duration_text.h"
 #include "app/common/scene_file.h"
+#include "app/console/cost/apart_items.h"
+#include "app/console/cost/sweep_texts.h"
 #include "backend/sweep/sweep_figure.h"
 #include "widgets/base/compose.h"
 #include "widgets/base/figure/svg_view.h"
@@ -11,6 +13,7 @@
 #include "widgets/chrome/empty_state.h"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -24,13 +27,25 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace teleta::console {
 
 namespace {
 
+/// Of the heading of a topic: a sweep of it.
+constexpr int kOfTopicRole = Qt::UserRole + 1;
 /// Rows of the table; runs.csv and cells.csv have all.
 constexpr int kMostRows = 2000;
+
+/// Rows of a name and what belongs to it.
+QString rowsText(const QList<std::pair<QString, QString>>& rows) {
+    QString text = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">");
+    for (const auto& [name, value] : rows)
+        text += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    return text + QStringLiteral("</table>");
+}
 
 QString numberText(const std::optional<double>& value) {
     return value ? QLocale().toString(*value, 'g', 4) : QStringLiteral("\u2014");
@@ -78,10 +93,10 @@ QWidget* SweepPanel::makeListColumn() {
     m_heading->setFont(base::bold(base::sized(font(), base::kTitleText)));
     m_list = base::named<QListWidget>("sweeps", column);
     m_list->setFrameShape(QFrame::NoFrame);
-    for (const QString& name : app::sweepNames()) {
-        auto* item = new QListWidgetItem(name, m_list);
-        item->setData(Qt::UserRole, name);
-    }
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setItemDelegate(new ApartItems(m_list));
+    fillList();
     m_open = base::named<QPushButton>("openSweep", column);
     m_openResults = base::named<QPushButton>("openResults", column);
     m_start = base::named<QPushButton>("startSweep", column);
@@ -105,6 +120,28 @@ QWidget* SweepPanel::makeListColumn() {
     layout->setStretchFactor(m_list, 1);
     column->setMinimumWidth(base::em(this, 18));
     return column;
+}
+
+/// Those of a topic below its heading, in the order in which each topic is first met.
+void SweepPanel::fillList() {
+    QStringList left = app::sweepNames();
+    while (!left.isEmpty()) {
+        const QString topic = sweepText(left.front()).topic;
+        if (!topic.isEmpty()) {
+            auto* head = new QListWidgetItem(m_list);
+            head->setFlags(Qt::NoItemFlags);
+            head->setFont(base::bold(m_list->font()));
+            head->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+            head->setData(kOfTopicRole, left.front());
+        }
+        left.removeIf([&](const QString& name) {
+            if (sweepText(name).topic != topic)
+                return false;
+            auto* item = new QListWidgetItem(m_list);
+            item->setData(Qt::UserRole, name);
+            return true;
+        });
+    }
 }
 
 QWidget* SweepPanel::makeMiddle() {
@@ -138,11 +175,20 @@ QWidget* SweepPanel::makeMiddle() {
     resultsLayout->setContentsMargins(0, 0, 0, 0);
     resultsLayout->addLayout(choice);
     resultsLayout->addWidget(parts, 1);
+    m_plan = base::named<QLabel>("sweepPlan", middle);
+    m_plan->setTextFormat(Qt::RichText);
+    m_plan->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_plan->setWordWrap(true);
     m_empty = new chrome::EmptyState(base::Icon::cost, middle);
     m_startEmpty = m_empty->addAction(QString(), QString());
     m_startEmpty->setObjectName(QStringLiteral("startSweepEmpty"));
+    auto* before = new QWidget(middle);
+    auto* beforeLayout = new QVBoxLayout(before);
+    beforeLayout->setContentsMargins(0, 0, 0, 0);
+    beforeLayout->addWidget(m_plan);
+    beforeLayout->addWidget(m_empty, 1);
     m_pages = new QStackedWidget(middle);
-    m_pages->addWidget(m_empty);
+    m_pages->addWidget(before);
     m_pages->addWidget(results);
     auto* layout = new QVBoxLayout(middle);
     const int margin = base::grid(middle, 2);
@@ -171,17 +217,22 @@ void SweepPanel::showSweep() {
     const QSignalBlocker quiet(m_measure);
     m_measure->clear();
     if (shown != nullptr) {
-        m_title->setText(QString::fromStdString(shown->plan.subject));
-        QString about = tr("%1 cells, each with %2 seeds: %3 runs.")
-                            .arg(shown->plan.cells())
-                            .arg(shown->plan.seeds())
-                            .arg(shown->plan.runs());
+        const SweepText text =
+            sweepText(QFileInfo(QString::fromStdString(shown->plan.file)).completeBaseName());
+        m_title->setText(text.title);
+        QString about = text.about.isEmpty() ? QString() : text.about + QLatin1Char('\n');
+        about += shown->plan.cells() == 1 ? tr("%1 runs, one for each seed.").arg(shown->plan.runs())
+                                          : tr("%1 cells, each with %2 seeds: %3 runs.")
+                                                .arg(shown->plan.cells())
+                                                .arg(shown->plan.seeds())
+                                                .arg(shown->plan.runs());
         if (shown->results)
             about += QLatin1Char(' ') + tr("%1 done, %2 failed, in %3.")
                                             .arg(shown->results->done)
                                             .arg(shown->results->failed)
                                             .arg(shown->folder);
         m_about->setText(about);
+        m_plan->setText(planText(shown->plan));
         if (has)
             for (const std::string& measure : shown->results->measures)
                 m_measure->addItem(QString::fromStdString(measure));
@@ -190,6 +241,29 @@ void SweepPanel::showSweep() {
     m_pages->setCurrentIndex(has ? 1 : 0);
     showMeasure();
     showRunning();
+}
+
+QString SweepPanel::planText(const sweep::SweepPlan& plan) {
+    constexpr std::size_t kMostValues = 12;
+    QList<std::pair<QString, QString>> rows;
+    rows.emplaceBack(plan.kind == sweep::SubjectKind::scene   ? tr("Scene")
+                     : plan.kind == sweep::SubjectKind::study ? tr("Protocol")
+                                                              : tr("Ladder"),
+                     QString::fromStdString(plan.subject));
+    for (const sweep::SweepAxis& axis : plan.axes) {
+        QStringList values;
+        for (std::size_t i = 0; i < std::min(axis.values.size(), kMostValues); ++i)
+            values << sweep::valueText(axis, i);
+        if (axis.values.size() > kMostValues)
+            values << QStringLiteral("\u2026 ") + sweep::valueText(axis, axis.values.size() - 1);
+        rows.emplaceBack(sweep::axisTitle(axis), values.join(QStringLiteral(", ")));
+    }
+    QStringList measures;
+    for (const std::string& measure : plan.measures)
+        measures << QString::fromStdString(measure);
+    rows.emplaceBack(tr("Measured"),
+                     measures.isEmpty() ? tr("all numbers of a run") : measures.join(QStringLiteral(", ")));
+    return rowsText(rows);
 }
 
 void SweepPanel::showMeasure() {
@@ -241,6 +315,7 @@ void SweepPanel::showRunning() {
     const bool running = m_running->isRunning();
     m_start->setEnabled(!running && m_running->shown() != nullptr);
     m_startEmpty->setEnabled(m_start->isEnabled());
+    m_startEmpty->setVisible(m_running->shown() != nullptr);
     m_list->setEnabled(!running);
     m_open->setEnabled(!running);
     m_openResults->setEnabled(!running);
@@ -277,6 +352,12 @@ void SweepPanel::tick() {
 
 void SweepPanel::retranslate() {
     m_heading->setText(tr("Sweeps"));
+    for (int row = 0; row < m_list->count(); ++row) {
+        QListWidgetItem& item = *m_list->item(row);
+        const QVariant topic = item.data(kOfTopicRole);
+        item.setText(topic.isValid() ? sweepText(topic.toString()).topic
+                                     : sweepText(item.data(Qt::UserRole).toString()).title);
+    }
     m_list->setAccessibleName(tr("Sweeps that come with the program"));
     m_open->setText(tr("&Open a sweep\u2026"));
     m_openResults->setText(tr("Open resu&lts\u2026"));

@@ -42,10 +42,13 @@ signals:
 
 private:
     [[nodiscard]] QWidget* makeListColumn();
+    void fillList();
     [[nodiscard]] QWidget* makeMiddle();
     void askToOpen();
     void askToStart();
     void showSweep();
+    /// What is varied and measured, as a table.
+    [[nodiscard]] static QString planText(const sweep::SweepPlan& plan);
     void showMeasure();
     void showRunning();
 
@@ -65,6 +68,7 @@ private:
     base::SvgView* m_picture;
     QTableWidget* m_table;
     QStackedWidget* m_pages;
+    QLabel* m_plan; ///< shown while there are no results
     chrome::EmptyState* m_empty;
     QPushButton* m_startEmpty;
 };

@@ -23,13 +23,10 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
     const QString camera = DemoText::tr("Camera");
     return {
         {QStringLiteral(":/scenes/teleta-touch.toml"), DemoText::tr("An arm touches five materials"),
-         DemoText::tr(
-             "Sponge, rubber sponge, rubber, wood and metal: contact point, force, stiffness, bracelet"),
-         arm},
+         DemoText::tr("From sponge to metal: where it touches, how hard and how stiff"), arm},
         {QStringLiteral(":/scenes/teleta-contour-circle.toml"),
          DemoText::tr("An arm explores a round object"),
-         DemoText::tr("The forearm touches it from all around: contact points, spline, recognised shape"),
-         arm},
+         DemoText::tr("Outline and shape from single touches"), arm},
         {QStringLiteral(":/scenes/teleta-contour-rectangle.toml"),
          DemoText::tr("An arm explores a rectangular object"), DemoText::tr("The same with a box"), arm},
         {QStringLiteral(":/scenes/teleta-contour-triangle.toml"),
@@ -39,7 +36,7 @@ std::vector<chrome::SourceChooser::Demo> demoScenes() {
          DemoText::tr("Somebody pushes the arm, then it meets an object, under joint admittance control"),
          arm},
         {QStringLiteral(":/scenes/teleoperation.toml"), DemoText::tr("An arm among unknown objects"),
-         DemoText::tr("Drive it yourself over a slow link, or watch a scripted operator find them"), arm},
+         DemoText::tr("Find them over a slow link, or watch"), arm},
         {QStringLiteral(":/scenes/tactile-indenter.toml"), DemoText::tr("A ball and a bar"),
          DemoText::tr("A 6 x 14 array pressed by a ball that wanders, then by a bar that turns"), array},
         {QStringLiteral(":/scenes/tactile-two-contacts.toml"), DemoText::tr("Two contacts that meet"),

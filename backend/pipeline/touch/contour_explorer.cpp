@@ -49,7 +49,9 @@ void ContourExplorer::recompute() {
         m_heights_m.erase(m_heights_m.begin(), m_heights_m.begin() + beyond);
     }
     ++m_contour.revision;
-    m_contour.recognition = contour::recogniseShape(points, m_settings.recognition);
+    m_contour.recognition.reset();
+    if (points.size() >= ExploredContour::kLeastPoints)
+        m_contour.recognition = contour::recogniseShape(points, m_settings.recognition);
     m_contour.height_m = std::accumulate(m_heights_m.begin(), m_heights_m.end(), 0.0) /
                          static_cast<double>(m_heights_m.size());
     sampleCurve(m_contour.recognition && m_contour.recognition->closed);

@@ -19,8 +19,9 @@ struct ContourSettings {
 
 /// Collects the contact points of successive touches and tells the shape that they outline: an interpolating
 /// spline, closed when the contour comes back to its start, the recognised shape and the mean height. Each
-/// touch counts, also one where the object was touched before. Thread: one; about a millisecond for 60
-/// points. Source: TeleTA, section 3.
+/// touch counts, also one where the object was touched before. Fewer than
+/// ExploredContour::kLeastPoints touches tell no shape: one is on every object, and two are on a line.
+/// Thread: one; about a millisecond for 60 points. Source: TeleTA, section 3.
 class ContourExplorer {
 public:
     explicit ContourExplorer(const ContourSettings& settings = {});

@@ -46,7 +46,7 @@ void TactileFeedback::setMode(FeedbackMode mode) {
 }
 
 std::optional<contour::Shape> TactileFeedback::newShape(const ExploredContour& contour) {
-    if (contour.points_m.size() < kLeastPoints || !contour.recognition) {
+    if (!contour.recognition) {
         m_lastShape.reset();
         return std::nullopt;
     }

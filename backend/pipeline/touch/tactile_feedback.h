@@ -37,13 +37,12 @@ struct FeedbackSent {
 };
 
 /// Turns what was recognised into patterns on the bracelet: the material of every touch that has a stiffness,
-/// and the shape whenever it becomes another one with a confidence of at least kLeastConfidence from at least
-/// kLeastPoints touches. Both at one touch are played one after the other, kPause_s apart.
-/// Thread: onTouch() and onContour() by the pipeline's, popSent() and settings by one viewer (the GUI's).
+/// and the shape whenever it becomes another one with a confidence of at least kLeastConfidence. Both at one
+/// touch are played one after the other, kPause_s apart. Thread: onTouch() and onContour() by the pipeline's,
+/// popSent() and settings by one viewer (the GUI's).
 class TactileFeedback {
 public:
     static constexpr double kLeastConfidence = 0.9;
-    static constexpr std::size_t kLeastPoints = 3;
     static constexpr double kPause_s = 0.3;
     static constexpr std::size_t kSentKept = 256;
 

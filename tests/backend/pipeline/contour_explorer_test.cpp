@@ -43,13 +43,24 @@ TEST(ContourExplorer, isDefinedForFewPoints) {
     EXPECT_EQ(explorer.contour().revision, 0U);
     EXPECT_FALSE(explorer.contour().recognition);
     explorer.add({0.1, 0.2, 0.3});
-    EXPECT_EQ(explorer.contour().recognition->shape, contour::Shape::point);
+    EXPECT_FALSE(explorer.contour().recognition) << "every object has a point";
     EXPECT_TRUE(explorer.contour().curve_m.empty());
     EXPECT_EQ(explorer.contour().height_m, 0.3);
     explorer.add({0.2, 0.2, 0.3});
-    EXPECT_EQ(explorer.contour().recognition->shape, contour::Shape::line);
+    EXPECT_FALSE(explorer.contour().recognition) << "two points are on a line, whatever was touched";
     ASSERT_EQ(explorer.contour().curve_m.size(), 13U);
     EXPECT_NEAR(explorer.contour().curve_m.back().x(), 0.2, 1e-12);
+    explorer.add({0.3, 0.2, 0.3});
+    EXPECT_EQ(explorer.contour().recognition->shape, contour::Shape::line);
+}
+
+TEST(ContourExplorer, threeTouchesInOnePlaceAreAPoint) {
+    ContourExplorer explorer;
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_FALSE(explorer.contour().recognition);
+        explorer.add({0.1, 0.2, 0.3});
+    }
+    EXPECT_EQ(explorer.contour().recognition->shape, contour::Shape::point);
 }
 
 TEST(ContourExplorer, countsATouchAtAPlaceThatIsKnown) {

@@ -199,6 +199,29 @@ private slots:
         }
     }
 
+    void coversAPictureRatherThanAText() {
+        QWidget view;
+        auto* line = new QHBoxLayout(&view);
+        auto* picture = new QWidget(&view);
+        picture->setFocusPolicy(Qt::StrongFocus);
+        line->addWidget(picture, 1);
+        auto* column = new QVBoxLayout;
+        line->addLayout(column, 1);
+        for (const char* text : {"Nothing is plugged in.", "Nothing is held."})
+            column->addWidget(new QLabel(QString::fromLatin1(text), &view), 0,
+                              column->isEmpty() ? Qt::AlignTop : Qt::AlignBottom);
+        MessageBar bar(&view);
+        const int height = view.fontMetrics().height();
+        view.resize(height * 120, height * 40);
+        view.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&view));
+        bar.post(message("one"));
+        QCoreApplication::processEvents();
+        for (const auto* text : view.findChildren<QLabel*>(Qt::FindDirectChildrenOnly))
+            QVERIFY(!bar.geometry().intersects(text->geometry()));
+        QVERIFY(picture->geometry().intersects(bar.geometry()));
+    }
+
     void coversNoTitleOfADock() {
         QWidget view;
         const int line = view.fontMetrics().height();

@@ -112,6 +112,7 @@ CameraCalibrator::~CameraCalibrator() = default;
 
 void CameraCalibrator::retranslate() {
     setWindowTitle(tr("Cylinder camera"));
+    m_title->setText(tr("Cylinder camera"));
     m_load->setText(tr("&Load pairs\u2026"));
     m_load->setToolTip(tr("Pairs of pixels and points: CSV with u_px,v_px,x_m,y_m,z_m"));
     m_savePairs->setText(tr("Save pai&rs\u2026"));
@@ -445,6 +446,7 @@ void CameraCalibrator::refresh() {
     m_save->setEnabled(settled);
     m_savePairs->setEnabled(!m_work.pairs.empty());
     m_probe->setEnabled(!m_probing->isRunning() && !m_live->isRunning());
+    m_probeButton->setDefault(m_work.pairs.empty());
     m_probeWith->setEnabled(m_probe->isEnabled());
     m_tube->setEnabled(m_probe->isEnabled()); // a probing has its own tube and image
     m_origin->setVisible(m_work.simulated);
@@ -475,7 +477,9 @@ void CameraCalibrator::showComparison() {
             m_comparison->setItem(row, column, item);
         }
     }
-    m_comparison->resizeColumnsToContents();
+    // The remark takes what is left; its tool tip has all of it.
+    for (int column = 0; column < m_comparison->columnCount() - 1; ++column)
+        m_comparison->resizeColumnToContents(column);
 }
 
 void CameraCalibrator::selectPair(std::size_t pair) {

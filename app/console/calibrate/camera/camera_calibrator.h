@@ -22,9 +22,10 @@
 class QAction;
 class QComboBox;
 class QLabel;
+class QLayout;
+class QPushButton;
 class QTableView;
 class QTableWidget;
-class QToolBar;
 class QUndoStack;
 
 namespace teleta::camera {
@@ -122,6 +123,7 @@ private:
     void build();
     QWidget* buildTables();
     void buildTools();
+    QLayout* buildHead();
     void fit();
     void refresh();
     void showComparison();
@@ -150,7 +152,7 @@ private:
     QString m_file;
 
     QUndoStack* m_undo;
-    QToolBar* m_tools;
+    QLabel* m_title;
     QAction* m_load;
     QAction* m_savePairs;
     QAction* m_save;
@@ -171,6 +173,7 @@ private:
     double m_probedShare = 0.0; ///< of the simulated tube
     int m_probingRun = 0;       ///< number of the newest probing
     QAction* m_probe;
+    QPushButton* m_probeButton; ///< the filled one while there are no pairs
     ProbingStrip* m_strip;
     LiveProbingPanel* m_live;
     QAction* m_probeWith;

@@ -5,7 +5,9 @@
 #include "app/console/calibrate/camera/pair_entry.h"
 #include "app/console/calibrate/camera/probing_strip.h"
 #include "app/console/calibrate/camera/tube_fields.h"
+#include "widgets/base/action_button.h"
 #include "widgets/base/compose.h"
+#include "widgets/base/controls/elided_label.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"
 #include "widgets/base/theme.h"
@@ -17,44 +19,47 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTableView>
 #include <QTableWidget>
-#include <QToolBar>
 #include <QUndoStack>
 #include <QVBoxLayout>
 
 namespace teleta::console {
 
+namespace {
+constexpr double kRow_em = 1.7;
+} // namespace
+
 void CameraCalibrator::buildTools() {
-    m_tools = new QToolBar;
-    m_tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_load = m_tools->addAction(QString(), this, [this] {
+    const auto make = [this](auto run) {
+        auto* made = new QAction(this);
+        connect(made, &QAction::triggered, this, run);
+        return made;
+    };
+    m_load = make([this] {
         base::askToOpen(this, {tr("Load pairs"), {tr("Pairs (*.csv)"), tr("All files (*)")}, m_file},
                         [this](const QString& path) { open(path); });
     });
     m_load->setShortcut(QKeySequence::Open);
-    m_savePairs = m_tools->addAction(QString(), this, [this] {
+    m_savePairs = make([this] {
         base::askToSave(this, {tr("Save the pairs"), {tr("Pairs (*.csv)")}, m_file, QStringLiteral("csv")},
                         [this](const QString& path) { savePairs(path); });
     });
-    m_save = m_tools->addAction(QString(), this, [this] { askToSave(); });
+    m_save = make([this] { askToSave(); });
     m_save->setShortcut(QKeySequence::Save);
-    m_probe = m_tools->addAction(QString(), this, [this] { probe(); });
-    m_probeWith = m_tools->addAction(QString(), this, &CameraCalibrator::askForCamera);
-    m_tools->addSeparator();
+    m_probe = make([this] { probe(); });
+    m_probeWith = make([this] { askForCamera(); });
     m_methodLabel = new QLabel;
     m_methods = new QComboBox;
     for (std::size_t i = 0; i < vision::kCalibrationMethods.size(); ++i)
         m_methods->addItem(QString());
     m_methodLabel->setBuddy(m_methods);
-    m_tools->addWidget(m_methodLabel);
-    m_tools->addWidget(m_methods);
     connect(m_methods, &QComboBox::activated, this,
             [this](int row) { chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]); });
-    m_tools->addSeparator();
-    m_exclude = m_tools->addAction(QString(), this, &CameraCalibrator::excludeOutliers);
+    m_exclude = make([this] { excludeOutliers(); });
     // Not the actions of the undo stack: their texts stay in the language in which they were made.
     m_undoAction = new QAction(this);
     m_redoAction = new QAction(this);
@@ -68,8 +73,6 @@ void CameraCalibrator::buildTools() {
     connect(m_undo, &QUndoStack::redoTextChanged, m_redoAction, &QAction::setToolTip);
     m_undoAction->setShortcut(QKeySequence::Undo);
     m_redoAction->setShortcuts(base::redoKeys());
-    m_tools->addAction(m_undoAction);
-    m_tools->addAction(m_redoAction);
     for (QAction* action : {m_load, m_save, m_undoAction, m_redoAction})
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     addActions({m_load, m_save, m_undoAction, m_redoAction});
@@ -85,6 +88,7 @@ QWidget* CameraCalibrator::buildTables() {
     m_comparison->setSelectionMode(QAbstractItemView::SingleSelection);
     m_comparison->verticalHeader()->hide();
     m_comparison->horizontalHeader()->setStretchLastSection(true);
+    m_comparison->setWordWrap(false);
     connect(m_comparison, &QTableWidget::cellClicked, this, [this](int row, int) {
         chooseMethod(vision::kCalibrationMethods[static_cast<std::size_t>(row)]);
     });
@@ -123,17 +127,49 @@ QWidget* CameraCalibrator::buildTables() {
 
     m_entry = new PairEntry;
     connect(m_entry, &PairEntry::entered, this, &CameraCalibrator::addPair);
+    for (QTableView* each : {static_cast<QTableView*>(m_comparison), m_table})
+        each->verticalHeader()->setDefaultSectionSize(base::em(this, kRow_em));
+    m_comparison->setMinimumHeight(m_comparison->horizontalHeader()->sizeHint().height() +
+                                   m_comparison->verticalHeader()->length() + 2 * m_comparison->frameWidth());
     auto* tables = new QSplitter(Qt::Vertical);
+    tables->setChildrenCollapsible(false);
     tables->addWidget(m_comparison);
     tables->addWidget(m_table);
-    tables->setStretchFactor(0, 1);
-    tables->setStretchFactor(1, 3);
+    tables->setStretchFactor(1, 1);
+    tables->setSizes({m_comparison->minimumHeight(), 1000});
     auto* all = new QWidget;
     auto* layout = new QVBoxLayout(all);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(tables, 1);
     layout->addWidget(m_entry);
     return all;
+}
+
+/// Title and files, what was found, ways to get pairs and what is done with them.
+QLayout* CameraCalibrator::buildHead() {
+    m_title = new base::ElidedLabel(this);
+    m_title->setFont(base::bold(base::sized(font(), base::kLargeText)));
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_title, 1);
+    for (QAction* each : {m_undoAction, m_redoAction, m_load, m_savePairs, m_save})
+        top->addWidget(base::actionButton(*each, this));
+    auto* found = new QHBoxLayout;
+    found->addWidget(m_origin);
+    found->addWidget(m_verdict, 1);
+    auto* ways = new QHBoxLayout;
+    m_probeButton = base::actionButton(*m_probe, this);
+    ways->addWidget(m_probeButton);
+    ways->addWidget(base::actionButton(*m_probeWith, this));
+    ways->addSpacing(base::grid(this));
+    ways->addWidget(m_methodLabel);
+    ways->addWidget(m_methods);
+    ways->addWidget(base::actionButton(*m_exclude, this));
+    ways->addStretch(1);
+    auto* head = new QVBoxLayout;
+    head->addLayout(top);
+    head->addLayout(found);
+    head->addLayout(ways);
+    return head;
 }
 
 void CameraCalibrator::build() {
@@ -144,6 +180,7 @@ void CameraCalibrator::build() {
     m_origin = new QLabel;
     m_verdict = new QLabel;
     m_verdict->setWordWrap(true);
+    m_verdict->setMinimumHeight(base::em(this, 1)); // else room for the lines of a much narrower page
     m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_image = new camera::ResidualView(camera::ResidualPicture::Surface::image);
     m_cylinder = new camera::ResidualView(camera::ResidualPicture::Surface::cylinder);
@@ -161,21 +198,19 @@ void CameraCalibrator::build() {
     auto* halves = new QSplitter;
     halves->addWidget(pictures);
     halves->addWidget(buildTables());
-    halves->setStretchFactor(0, 3);
-    halves->setStretchFactor(1, 2);
+    // The tables are wide, and the pictures need no more than they are high.
+    halves->setSizes({840, 1160});
+    halves->setStretchFactor(0, 1);
+    halves->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
+    const int margin = base::grid(this);
+    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->addLayout(buildHead());
     // The fields have their own row: in French they would leave no room for the verdict.
     auto* tube = new QHBoxLayout;
-    auto* head = new QHBoxLayout;
-    for (QHBoxLayout* row : {tube, head})
-        row->setContentsMargins(base::grid(this), 0, base::grid(this), 0);
     tube->addWidget(m_tube);
     tube->addStretch(1);
-    head->addWidget(m_origin);
-    head->addWidget(m_verdict, 1);
-    layout->addWidget(m_tools);
     layout->addLayout(tube);
-    layout->addLayout(head);
     layout->addWidget(m_strip);
     layout->addWidget(m_live);
     layout->addWidget(halves, 1);

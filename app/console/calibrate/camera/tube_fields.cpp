@@ -52,13 +52,13 @@ TubeFields::TubeFields(QWidget* parent)
     row->addWidget(m_width);
     row->addWidget(new QLabel(QStringLiteral("\u00d7"), this));
     row->addWidget(m_height);
-    row->addSpacing(2 * base::grid(this));
+    row->addSpacing(base::grid(this));
     row->addWidget(m_radiusLabel);
     row->addWidget(m_radius);
-    row->addSpacing(2 * base::grid(this));
+    row->addSpacing(base::grid(this));
     row->addWidget(m_lengthLabel);
     row->addWidget(m_length);
-    row->addSpacing(2 * base::grid(this));
+    row->addSpacing(base::grid(this));
     row->addWidget(m_holeLabel);
     row->addWidget(m_holeFactor);
     setSettings({});

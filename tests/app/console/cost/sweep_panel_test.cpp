@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/scene_file.h"
 #include "app/console/cost/cost_page.h"
 #include "app/console/cost/sweep_panel.h"
 #include "backend/cost/ladders/ladders.h"
@@ -44,8 +45,30 @@ private slots:
         choose(QStringLiteral("contour-ladder"));
         QTRY_VERIFY(start()->isEnabled());
         QCOMPARE(m_panel->findChild<QLabel*>(QStringLiteral("sweepTitle"))->text(),
-                 QStringLiteral("contour"));
+                 QStringLiteral("Curve through contact points"));
         QCOMPARE(measures()->count(), 0);
+    }
+
+    void saysWhatASweepVariesBeforeItRuns() {
+        const auto* plan = m_panel->findChild<QLabel*>(QStringLiteral("sweepPlan"));
+        choose(QStringLiteral("servo-friction"));
+        QTRY_VERIFY(plan->text().contains(QStringLiteral("servo-bent-bar")));
+        for (const char* part : {"radius_m", "0.0015, 0.003, 0.006, 0.012", "coefficient", "delay_s",
+                                 "completed, force_rms_error_n"})
+            QVERIFY2(plan->text().contains(QLatin1String(part)), qPrintable(plan->text()));
+        QVERIFY(plan->isVisible());
+    }
+
+    void everySweepThatComesWithTheProgramHasATitleBelowAHeading() {
+        const auto* list = m_panel->findChild<QListWidget*>(QStringLiteral("sweeps"));
+        QVERIFY(!list->item(0)->flags().testFlag(Qt::ItemIsEnabled));
+        int sweeps = 0;
+        for (int row = 0; row < list->count(); ++row) {
+            const QString name = list->item(row)->data(Qt::UserRole).toString();
+            sweeps += name.isEmpty() ? 0 : 1;
+            QVERIFY2(!list->item(row)->text().isEmpty() && list->item(row)->text() != name, qPrintable(name));
+        }
+        QCOMPARE(sweeps, app::sweepNames().size());
     }
 
     void runsASweepAndDrawsIt() {
@@ -118,9 +141,12 @@ private slots:
 private:
     void choose(const QString& name) {
         auto* list = m_panel->findChild<QListWidget*>(QStringLiteral("sweeps"));
-        const auto found = list->findItems(name, Qt::MatchExactly);
-        QCOMPARE(found.size(), 1);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(found.front()).center());
+        for (int row = 0; row < list->count(); ++row)
+            if (list->item(row)->data(Qt::UserRole).toString() == name)
+                QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                                  list->visualItemRect(list->item(row)).center());
+        QVERIFY(list->currentItem() != nullptr);
+        QCOMPARE(list->currentItem()->data(Qt::UserRole).toString(), name);
     }
     QPushButton* start() { return m_panel->findChild<QPushButton*>(QStringLiteral("startSweep")); }
     QPushButton* cancel() { return m_panel->findChild<QPushButton*>(QStringLiteral("cancelSweep")); }

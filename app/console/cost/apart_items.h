@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/base/theme.h"
+
+#include <QStyledItemDelegate>
+#include <QWidget>
+
+namespace teleta::console {
+
+/// Keeps the items of a list apart, and those under a heading below it; a heading is an item that is not
+/// enabled. The list's own spacing makes items narrower than it has counted their lines for. Thread: GUI.
+class ApartItems : public QStyledItemDelegate {
+public:
+    explicit ApartItems(QWidget* list)
+        : QStyledItemDelegate(list)
+        , m_gap(base::grid(list, 0.5)) {}
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                                 const QModelIndex& index) const override {
+        const bool isHeading = !index.flags().testFlag(Qt::ItemIsEnabled);
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(0, (isHeading ? 4 : 2) * m_gap);
+    }
+
+protected:
+    /// A heading cannot be chosen, and is as dark as what can.
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->state |= QStyle::State_Enabled;
+    }
+
+private:
+    int m_gap;
+};
+
+} // namespace teleta::console
