@@ -45,7 +45,9 @@
 #include "devices/wts/wts_device.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QFileInfo>
+#include <QLocale>
 
 #include <utility>
 
@@ -341,14 +343,28 @@ QString pathOf(const SourceRequest& request) {
     return scene != nullptr ? QString::fromStdString(scene->path) : QString();
 }
 
+/// Local time in the name of a recording, "20261130T091014Z-...". Empty: it has another name.
+QString localTimeOf(const QString& file) {
+    const auto named =
+        QDateTime::fromString(file.section(QLatin1Char('-'), 0, 0), QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
+    return named.isValid()
+               ? QLocale().toString(QDateTime(named.date(), named.time(), Qt::UTC).toLocalTime().time(),
+                                    QStringLiteral("HH:mm:ss"))
+               : QString();
+}
+
 } // namespace
 
 QString displayName(const SourceRequest& request) {
     if (const auto* recording = std::get_if<RecordingRequest>(&request);
-        recording && !recording->source.empty())
-        return QStringLiteral("%1 (%2)").arg(
-            QFileInfo(QString::fromStdString(recording->path)).completeBaseName(),
-            QString::fromStdString(recording->source));
+        recording && !recording->source.empty()) {
+        const QString file = QFileInfo(QString::fromStdString(recording->path)).completeBaseName();
+        const QString source = QString::fromStdString(recording->source);
+        // A file that the program named begins with the time, and repeats what was recorded.
+        const QString time = localTimeOf(file);
+        return time.isEmpty() ? QStringLiteral("%1 (%2)").arg(file, source)
+                              : QStringLiteral("%1 (%2)").arg(source, time);
+    }
     if (const auto* remote = std::get_if<SiteRequest>(&request))
         return QStringLiteral("%1 (%2)").arg(QString::fromStdString(remote->device),
                                              QString::fromStdString(remote->name));

@@ -6,8 +6,9 @@
 namespace teleta::core {
 
 /// Lets the operator hold, resume and restart a simulated scene without an arm program. STOP holds the scene
-/// as well, and it stays held when STOP is released: nothing resumes unless somebody asks for it. Thread:
-/// takeRestart() from the source's worker, the rest from any; lock-free.
+/// of an array as well, and it stays held when STOP is released. In the scene of a camera the world goes on,
+/// and its arm stands still until it may react again. Thread: takeRestart() from the source's worker, the
+/// rest from any; lock-free.
 class SceneControl {
 public:
     void setRunning(bool running) { m_held.store(!running, std::memory_order_release); }

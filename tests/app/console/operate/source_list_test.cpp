@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sources/source_list.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -143,6 +144,20 @@ private slots:
         QCOMPARE(QString::fromStdString(tcp.gainsPath), QStringLiteral("/hand/gains.csv"));
         QVERIFY(serial.gainsPath.empty());
         QCOMPARE(displayName((*requests)[1]), QStringLiteral("hand:1000"));
+    }
+
+    void aRecordingIsCalledByWhatItHasAndWhen() {
+        teleta::app::RecordingRequest recording;
+        recording.source = "Unknown objects";
+        recording.path = "/data/run-7.teleta";
+        QCOMPARE(teleta::app::displayName(recording), QStringLiteral("run-7 (Unknown objects)"));
+        recording.path = "/data/20261130T091014Z-teleoperation.teleta";
+        const QDateTime recorded(QDate(2026, 11, 30), QTime(9, 10, 14), Qt::UTC);
+        QCOMPARE(teleta::app::displayName(recording),
+                 QStringLiteral("Unknown objects (%1)")
+                     .arg(recorded.toLocalTime().toString(QStringLiteral("HH:mm:ss"))));
+        recording.source.clear();
+        QCOMPARE(teleta::app::displayName(recording), QStringLiteral("20261130T091014Z-teleoperation"));
     }
 
     void readsDescribedArraysAndTakesOneForAList() {
