@@ -16903,10 +16903,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Le toucher était trop rapide&#xa0;: moins de 20 échantillons indépendants dans la fenêtre de couple. Appuyez plus lentement.</translation>
     </message>
     <message>
-        <source>The noise of neighbouring samples is not independent.</source>
-        <translation>Le bruit d’échantillons voisins n’est pas indépendant.</translation>
-    </message>
-    <message>
         <source>One step of the torque reading is over a tenth of the window.</source>
         <translation>Un pas de la lecture du couple dépasse un dixième de la fenêtre.</translation>
     </message>
@@ -16945,6 +16941,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>The torque jumps or falls back, or the joint has play.</source>
         <translation>Le couple saute ou retombe, ou l’articulation a du jeu.</translation>
+    </message>
+    <message>
+        <source>The noise is correlated; the interval allows for it.</source>
+        <translation>Le bruit est corrélé ; l’intervalle en tient compte.</translation>
     </message>
 </context>
 <context>

@@ -16859,10 +16859,6 @@ Run teleta-site --help for more.
         <translation>タッチが速すぎます: トルク窓内の独立なサンプルが20個未満です。もっとゆっくり押してください。</translation>
     </message>
     <message>
-        <source>The noise of neighbouring samples is not independent.</source>
-        <translation>隣り合うサンプルの雑音が独立ではありません。</translation>
-    </message>
-    <message>
         <source>One step of the torque reading is over a tenth of the window.</source>
         <translation>トルクの読みの1刻みが窓の10分の1を超えています。</translation>
     </message>
@@ -16901,6 +16897,10 @@ Run teleta-site --help for more.
     <message>
         <source>The torque jumps or falls back, or the joint has play.</source>
         <translation>トルクが飛ぶか戻るか、関節に遊びがあります。</translation>
+    </message>
+    <message>
+        <source>The noise is correlated; the interval allows for it.</source>
+        <translation>ノイズに相関があります。区間はそれを考慮しています。</translation>
     </message>
 </context>
 <context>

@@ -16859,10 +16859,6 @@ Run teleta-site --help for more.
         <translation>触碰过快：力矩窗口内的独立样本少于 20 个。请放慢按压。</translation>
     </message>
     <message>
-        <source>The noise of neighbouring samples is not independent.</source>
-        <translation>相邻样本的噪声不独立。</translation>
-    </message>
-    <message>
         <source>One step of the torque reading is over a tenth of the window.</source>
         <translation>力矩读数的一个步长超过窗口的十分之一。</translation>
     </message>
@@ -16901,6 +16897,10 @@ Run teleta-site --help for more.
     <message>
         <source>The torque jumps or falls back, or the joint has play.</source>
         <translation>力矩跳变或回落，或关节有间隙。</translation>
+    </message>
+    <message>
+        <source>The noise is correlated; the interval allows for it.</source>
+        <translation>噪声存在相关；区间已考虑这一点。</translation>
     </message>
 </context>
 <context>

@@ -100,7 +100,7 @@ QString TouchTexts::refusal(Refusal refusal) {
 QString TouchTexts::warning(TouchWarning warning) {
     switch (warning) {
     case TouchWarning::correlatedNoise:
-        return tr("The noise of neighbouring samples is not independent.");
+        return tr("The noise is correlated; the interval allows for it.");
     case TouchWarning::coarseTorque:
         return tr("One step of the torque reading is over a tenth of the window.");
     case TouchWarning::coarseAngle:
