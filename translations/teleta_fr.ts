@@ -16944,7 +16944,7 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>The noise is correlated; the interval allows for it.</source>
-        <translation>Le bruit est corrélé ; l’intervalle en tient compte.</translation>
+        <translation>Le bruit est corrélé&#xa0;; l’intervalle en tient compte.</translation>
     </message>
 </context>
 <context>
@@ -20210,6 +20210,10 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Caution: %1.</source>
         <translation>Attention&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>It is valid in the whole image. </source>
+        <translation>Elle est valable dans toute l’image. </translation>
     </message>
 </context>
 <context>
@@ -23522,6 +23526,10 @@ Lancez teleta-site --help pour en savoir plus.
             <numerusform>%n fichiers ont été écrits dans %1.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Play the &amp;last recording</source>
+        <translation>Lire le &amp;dernier enregistrement</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -24539,14 +24547,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>&amp;Ouvrir un balayage…</translation>
     </message>
     <message>
-        <source>&amp;Start…</source>
-        <translation>&amp;Démarrer…</translation>
-    </message>
-    <message>
-        <source>Start the sweep…</source>
-        <translation>Démarrer le balayage…</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>A&amp;nnuler</translation>
     </message>
@@ -24589,6 +24589,18 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>%1 runs, one for each seed.</source>
         <translation>%1 passages, un par graine.</translation>
+    </message>
+    <message>
+        <source>&amp;Start in…</source>
+        <translation>Dé&amp;marrer dans…</translation>
+    </message>
+    <message>
+        <source>Start the sweep</source>
+        <translation>Démarrer le balayage</translation>
+    </message>
+    <message>
+        <source>Results are kept in a new folder in your documents</source>
+        <translation>Les résultats sont gardés dans un nouveau dossier de vos documents</translation>
     </message>
 </context>
 <context>
@@ -25440,10 +25452,6 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>Pas d’asservissement</translation>
     </message>
     <message>
-        <source>STOP: the arm is held</source>
-        <translation>STOP&#xa0;: le bras est maintenu</translation>
-    </message>
-    <message>
         <source>No limit acts.</source>
         <translation>Aucune limite n’agit.</translation>
     </message>
@@ -25570,6 +25578,18 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>F&amp;orce</source>
         <translation>F&amp;orce</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>comme prévu</translation>
+    </message>
+    <message>
+        <source>STOP: the arm is held</source>
+        <translation>STOP : le bras est maintenu</translation>
+    </message>
+    <message>
+        <source>The arm keeps the pose that it had. It no longer presses beyond it: the force falls to what pushes against the arm.</source>
+        <translation>Le bras garde la pose qu’il avait. Il n’appuie plus au-delà : la force tombe à ce qui pousse contre le bras.</translation>
     </message>
 </context>
 <context>

@@ -20147,6 +20147,10 @@ Run teleta-site --help for more.
         <source>Caution: %1.</source>
         <translation>注意: %1。</translation>
     </message>
+    <message>
+        <source>It is valid in the whole image. </source>
+        <translation>画像全体で有効です。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraDialog</name>
@@ -23447,6 +23451,10 @@ Run teleta-site --help for more.
             <numerusform>%n 個のファイルを %1 に書き込みました。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Play the &amp;last recording</source>
+        <translation>最後の記録を再生(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -24461,14 +24469,6 @@ Run teleta-site --help for more.
         <translation>スイープを開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>&amp;Start…</source>
-        <translation>開始(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Start the sweep…</source>
-        <translation>スイープを開始…</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>キャンセル(&amp;C)</translation>
     </message>
@@ -24511,6 +24511,18 @@ Run teleta-site --help for more.
     <message>
         <source>%1 runs, one for each seed.</source>
         <translation>%1 回の実行、シードごとに1回。</translation>
+    </message>
+    <message>
+        <source>&amp;Start in…</source>
+        <translation>フォルダーを選んで開始(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Start the sweep</source>
+        <translation>スイープを開始</translation>
+    </message>
+    <message>
+        <source>Results are kept in a new folder in your documents</source>
+        <translation>結果はドキュメント内の新しいフォルダーに保存されます</translation>
     </message>
 </context>
 <context>
@@ -25362,10 +25374,6 @@ Run teleta-site --help for more.
         <translation>サーボなし</translation>
     </message>
     <message>
-        <source>STOP: the arm is held</source>
-        <translation>STOP: アームは保持されています</translation>
-    </message>
-    <message>
         <source>No limit acts.</source>
         <translation>作用中の制限はありません。</translation>
     </message>
@@ -25492,6 +25500,18 @@ Run teleta-site --help for more.
     <message>
         <source>F&amp;orce</source>
         <translation>力(&amp;O)</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>予定どおり</translation>
+    </message>
+    <message>
+        <source>STOP: the arm is held</source>
+        <translation>STOP: アームは保持されています</translation>
+    </message>
+    <message>
+        <source>The arm keeps the pose that it had. It no longer presses beyond it: the force falls to what pushes against the arm.</source>
+        <translation>アームは直前の姿勢を保ちます。それ以上は押さないため、力はアームを押し返す分まで下がります。</translation>
     </message>
 </context>
 <context>

@@ -20147,6 +20147,10 @@ Run teleta-site --help for more.
         <source>Caution: %1.</source>
         <translation>请注意：%1。</translation>
     </message>
+    <message>
+        <source>It is valid in the whole image. </source>
+        <translation>它在整幅图像中有效。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::CameraDialog</name>
@@ -23447,6 +23451,10 @@ Run teleta-site --help for more.
             <numerusform>已将 %n 个文件写入 %1。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Play the &amp;last recording</source>
+        <translation>播放最近的录制(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::RecordingDialog</name>
@@ -24461,14 +24469,6 @@ Run teleta-site --help for more.
         <translation>打开扫描(&amp;O)…</translation>
     </message>
     <message>
-        <source>&amp;Start…</source>
-        <translation>开始(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Start the sweep…</source>
-        <translation>开始扫描…</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>取消(&amp;C)</translation>
     </message>
@@ -24511,6 +24511,18 @@ Run teleta-site --help for more.
     <message>
         <source>%1 runs, one for each seed.</source>
         <translation>%1 次运行，每个种子一次。</translation>
+    </message>
+    <message>
+        <source>&amp;Start in…</source>
+        <translation>选择文件夹并开始(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Start the sweep</source>
+        <translation>开始扫描</translation>
+    </message>
+    <message>
+        <source>Results are kept in a new folder in your documents</source>
+        <translation>结果保存在您的文档中的新文件夹里</translation>
     </message>
 </context>
 <context>
@@ -25362,10 +25374,6 @@ Run teleta-site --help for more.
         <translation>无伺服</translation>
     </message>
     <message>
-        <source>STOP: the arm is held</source>
-        <translation>STOP：机械臂处于保持状态</translation>
-    </message>
-    <message>
         <source>No limit acts.</source>
         <translation>没有限制起作用。</translation>
     </message>
@@ -25492,6 +25500,18 @@ Run teleta-site --help for more.
     <message>
         <source>F&amp;orce</source>
         <translation>力(&amp;O)</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>按计划进行</translation>
+    </message>
+    <message>
+        <source>STOP: the arm is held</source>
+        <translation>STOP：机械臂处于保持状态</translation>
+    </message>
+    <message>
+        <source>The arm keeps the pose that it had. It no longer presses beyond it: the force falls to what pushes against the arm.</source>
+        <translation>机械臂保持原有位姿，不再继续压入：力降至外界对机械臂的推力。</translation>
     </message>
 </context>
 <context>

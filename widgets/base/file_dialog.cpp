@@ -3,10 +3,13 @@
 
 #include "widgets/base/theme.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QScreen>
 #include <QSplitter>
+#include <QStandardPaths>
 #include <QTreeView>
 
 #include <array>
@@ -32,8 +35,22 @@ void giveRoom(QFileDialog& dialog) {
         split->setSizes({em(&dialog, kPlaces_em), em(&dialog, kWidth_em - kPlaces_em)});
 }
 
+/// Of the file or folder that was chosen last; the documents until then.
+QString& lastFolder() {
+    static QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return folder;
+}
+
+/// As much of the folder as is there: Qt takes what is not for the name of a file.
+QString existing(const QString& folder) {
+    QFileInfo there(folder.isEmpty() ? lastFolder() : folder);
+    while (!there.exists() && !there.isRoot())
+        there = QFileInfo(there.absolutePath());
+    return there.absoluteFilePath();
+}
+
 QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDialog::FileMode mode) {
-    auto* dialog = new QFileDialog(parent, question.title, question.folder);
+    auto* dialog = new QFileDialog(parent, question.title, existing(question.folder));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (mode == QFileDialog::Directory)
         dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -42,6 +59,8 @@ QFileDialog* makeDialog(QWidget* parent, const FileQuestion& question, QFileDial
     dialog->setAcceptMode(mode == QFileDialog::AnyFile ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(mode);
     giveRoom(*dialog);
+    QObject::connect(dialog, &QDialog::accepted, dialog,
+                     [dialog] { lastFolder() = dialog->directory().absolutePath(); });
     return dialog;
 }
 

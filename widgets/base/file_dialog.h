@@ -15,9 +15,10 @@ namespace teleta::base {
 struct FileQuestion {
     QString title;
     QStringList filters = {}; ///< in the format of QFileDialog: "Pairs (*.csv)"; empty: all files
-    QString folder = {};      ///< start folder; empty: that of the last dialog
-    QString suffix = {};      ///< default extension of a new file
-    QString name = {};        ///< proposed name of a new file
+    /// Start folder, or as much of it as is there. Empty: that of the last dialog, the documents at first.
+    QString folder = {};
+    QString suffix = {}; ///< default extension of a new file
+    QString name = {};   ///< proposed name of a new file
 };
 
 /// Opens a dialog for an existing file and returns at once; chosen is called with the path if the user

@@ -51,14 +51,18 @@ void JointChartView::retranslate() {
 }
 
 void JointChartView::append(std::span<const core::JointSample> samples) {
+    append(m_history, m_joints->joints(), samples);
+}
+
+void JointChartView::append(SampleHistory& history, std::size_t joints,
+                            std::span<const core::JointSample> samples) {
     std::array<double, 2 * core::JointVector::kCapacity> row{};
-    const std::size_t joints = m_joints->joints();
     for (const core::JointSample& sample : samples) {
         row.fill(std::numeric_limits<double>::quiet_NaN());
         std::copy_n(sample.torque_Nm.data(), std::min(joints, sample.torque_Nm.size()), row.begin());
         std::copy_n(sample.angle_rad.data(), std::min(joints, sample.angle_rad.size()), row.data() + joints);
-        m_history.append({sample.time_ns, sample.sourceTime_s, sample.discontinuity},
-                         std::span(row).first(m_joints->columns()));
+        history.append({sample.time_ns, sample.sourceTime_s, sample.discontinuity},
+                       std::span(row).first(2 * joints));
     }
 }
 

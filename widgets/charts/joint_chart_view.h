@@ -39,6 +39,9 @@ public:
     void setJointNames(const QStringList& names);
     /// Stores samples; refresh() draws them. What a sample does not tell is a gap.
     void append(std::span<const core::JointSample> samples);
+    /// The same for the history of another arm, which is not shown.
+    static void append(SampleHistory& history, std::size_t joints,
+                       std::span<const core::JointSample> samples);
     /// Shades a touch. Returns false if its start is no longer stored.
     bool addTouch(const pipeline::TouchRecord& touch);
     /// Clears samples and touches, and goes live.

@@ -67,7 +67,7 @@ private:
     struct Cell {
         DeviceReading reading;
         base::SteadyNumber rate{1.0};
-        base::SteadyNumber latency_ms{0.5};
+        base::SteadyNumber latency_ms{0.1};
         base::SteadyNumber touchToSkin_ms{0.1};
         QString text;
         QString shown;

@@ -250,6 +250,10 @@ void ServoPanel::showTexts() {
     m_state->setText(isHeld              ? tr("The scene is held")
                      : m_report->stopped ? tr("STOP: the arm is held")
                                          : ServoTexts::contact(output.contact));
+    m_state->setToolTip(m_report->stopped
+                            ? tr("The arm keeps the pose that it had. It no longer presses beyond it: the "
+                                 "force falls to what pushes against the arm.")
+                            : QString());
     const bool isStopped = m_report->stopped && !isHeld;
     const bool gone = !m_report->stopped && output.contact == ContactState::lost;
     const bool searches = !m_report->stopped && output.contact == ContactState::searching;
@@ -264,7 +268,9 @@ void ServoPanel::showTexts() {
 void ServoPanel::showVerdict() {
     QStringList lines;
     if (m_report && m_report->verdict)
-        lines << tr("So far: %1").arg(ServoTexts::verdict(*m_report->verdict));
+        lines << tr("So far: %1")
+                     .arg(m_report->verdict->completed ? tr("as planned")
+                                                       : ServoTexts::verdict(*m_report->verdict));
     if (m_lastVerdict)
         lines << tr("Last run: %1").arg(ServoTexts::verdict(*m_lastVerdict));
     m_verdict->setText(lines.join(QLatin1Char('\n')));

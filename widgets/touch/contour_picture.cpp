@@ -48,10 +48,10 @@ void drawCircleIn(QPainter& painter, const QRectF& rect, const QPointF& centre, 
 QString ContourPicture::headline() const {
     if (contour.points_m.empty())
         return tr("nothing explored yet");
-    if (contour.points_m.size() < contour.kLeastPoints)
-        return tr("too few touches for a shape");
     if (!contour.recognition)
-        return TouchTexts::shape(teleta::contour::Shape::unknown);
+        return contour.points_m.size() < contour.kLeastOfAPoint
+                   ? tr("too few touches for a shape")
+                   : TouchTexts::shape(teleta::contour::Shape::unknown);
     if (contour.recognition->candidates().size() > 1)
         return tr("undecided: %1").arg(TouchTexts::recognition(*contour.recognition));
     return tr("%1, confidence %2 %")

@@ -13,6 +13,8 @@
 #include "widgets/chrome/empty_state.h"
 
 #include <QComboBox>
+#include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -23,6 +25,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QStandardPaths>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -78,7 +81,7 @@ SweepPanel::SweepPanel(SweepRunning::MakeSources makeSources, QWidget* parent)
                            [this](const QString& folder) { m_running->open(folder); });
     });
     connect(m_start, &QPushButton::clicked, this, &SweepPanel::askToStart);
-    connect(m_startEmpty, &QPushButton::clicked, m_start, &QPushButton::click);
+    connect(m_startEmpty, &QPushButton::clicked, this, [this] { m_running->start(newFolder()); });
     connect(m_cancel, &QPushButton::clicked, m_running, &SweepRunning::cancel);
     connect(m_measure, &QComboBox::currentIndexChanged, this, &SweepPanel::showMeasure);
     connect(m_picture, &base::SvgView::exportFailed, this,
@@ -202,6 +205,14 @@ QWidget* SweepPanel::makeMiddle() {
 void SweepPanel::askToOpen() {
     base::askToOpen(this, {.title = tr("Open a sweep"), .filters = {tr("Sweeps (*.toml)")}},
                     [this](const QString& path) { m_running->open(path); });
+}
+
+/// Among the documents, with the time in its name.
+QString SweepPanel::newFolder() const {
+    const QString name = QFileInfo(QString::fromStdString(m_running->shown()->plan.file)).completeBaseName();
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .filePath(QStringLiteral("TeleTA/sweeps/") + name +
+                  QDateTime::currentDateTime().toString(QStringLiteral("-yyyyMMdd'T'HHmmss")));
 }
 
 void SweepPanel::askToStart() {
@@ -361,8 +372,9 @@ void SweepPanel::retranslate() {
     m_list->setAccessibleName(tr("Sweeps that come with the program"));
     m_open->setText(tr("&Open a sweep\u2026"));
     m_openResults->setText(tr("Open resu&lts\u2026"));
-    m_start->setText(tr("&Start\u2026"));
-    m_startEmpty->setText(tr("Start the sweep\u2026"));
+    m_start->setText(tr("&Start in\u2026"));
+    m_startEmpty->setText(tr("Start the sweep"));
+    m_startEmpty->setToolTip(tr("Results are kept in a new folder in your documents"));
     m_cancel->setText(tr("&Cancel"));
     m_measureLabel->setText(tr("&Measure"));
     m_picture->setAccessibleName(tr("Chart of a measure over the cells"));

@@ -46,6 +46,7 @@ private:
     [[nodiscard]] QWidget* makeMiddle();
     void askToOpen();
     void askToStart();
+    [[nodiscard]] QString newFolder() const;
     void showSweep();
     /// What is varied and measured, as a table.
     [[nodiscard]] static QString planText(const sweep::SweepPlan& plan);

@@ -103,6 +103,11 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm)
         return;
+    if (m_feltOf.lock() != m_arm) { // what was felt of another one is no news of this one
+        m_bracelet.forgetFeedback();
+        m_feedback->forgetLast();
+    }
+    m_feltOf = m_arm;
     if (!m_arm->pad())
         wearBentSkin();
     m_gauge->setProvenance(provenance);
@@ -209,6 +214,10 @@ void ArmViews::keep(const std::shared_ptr<pipeline::ArmChannel>& arm) {
 void ArmViews::showTouch(const pipeline::TouchRecord& record) {
     m_touches->append(record);
     keepTouch(m_shownTouches, record);
+    judge(record);
+}
+
+void ArmViews::judge(const pipeline::TouchRecord& record) {
     if (record.stiffness)
         m_gauge->setTouch(record.stiffness);
     else if (record.refusal)
@@ -219,12 +228,28 @@ void ArmViews::showTouch(const pipeline::TouchRecord& record) {
 
 /// A recording has a time of its own, which may be paused; an arm that has fallen silent grows old, too.
 void ArmViews::showAge() {
+    if (m_arm->description().recorded)
+        judgeAt(m_arm->snapshot().newest.sourceTime_s);
     if (!m_judged)
         return;
     const double age_s = m_arm->description().recorded
                              ? m_arm->snapshot().newest.sourceTime_s - m_judged->time_s
                              : core::elapsed_s(m_judged->time_ns, core::steadyNow_ns());
     m_gauge->setAge(std::max(0.0, age_s));
+}
+
+void ArmViews::judgeAt(double time_s) {
+    if (!m_judged || m_judged->time_s <= time_s)
+        return;
+    m_judged.reset();
+    m_gauge->setTouch(std::nullopt);
+    const pipeline::TouchRecord* newest = nullptr;
+    for (const pipeline::TouchRecord& record : m_shownTouches)
+        if ((record.stiffness || record.refusal) && record.ready_s <= time_s &&
+            (newest == nullptr || record.ready_s > newest->ready_s))
+            newest = &record;
+    if (newest != nullptr)
+        judge(*newest);
 }
 
 void ArmViews::beginAnew(std::int64_t begun_ns) {

@@ -71,6 +71,7 @@ public:
     void restartProgram() { m_joints->restartProgram(); }
     /// Keeps what an arm that is not shown has touched until it is shown.
     void keep(const std::shared_ptr<pipeline::ArmChannel>& arm);
+    void keepJoints(const std::shared_ptr<pipeline::JointChannel>& arm) { m_joints->keep(arm); }
     /// Translates the labels in the reconstruction anew.
     void retranslate();
     /// Starts a new object with the next touch.
@@ -98,6 +99,9 @@ private:
 
     void takeTouches();
     void showTouch(const pipeline::TouchRecord& record);
+    void judge(const pipeline::TouchRecord& record);
+    /// Of a recording that was set back: the gauge has the newest touch before this time.
+    void judgeAt(double time_s);
     void show(const pipeline::ArmSnapshot& snapshot);
     /// The surface and the tip of such an arm.
     void wearBentSkin();
@@ -124,6 +128,7 @@ private:
     FeedbackPanel* m_feedback;
 
     std::shared_ptr<pipeline::ArmChannel> m_arm;
+    std::weak_ptr<pipeline::ArmChannel> m_feltOf; ///< whose touches *Feedback* tells of
     /// State of the other open arms, restored when they are shown again.
     std::map<std::weak_ptr<pipeline::ArmChannel>, Kept, std::owner_less<>> m_kept;
     std::vector<pipeline::TouchRecord> m_shownTouches; ///< of this arm, the oldest first

@@ -108,6 +108,15 @@ void JointViews::setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Prove
         m_chart->setContent(std::move(kept.mapped()));
 }
 
+void JointViews::keep(const std::shared_ptr<pipeline::JointChannel>& arm) {
+    const auto kept = m_kept.find(arm);
+    if (!arm || kept == m_kept.end())
+        return;
+    core::JointSample sample;
+    while (arm->popSample(sample))
+        charts::JointChartView::append(kept->second.history, arm->description().joints(), {&sample, 1});
+}
+
 /// Meshes may be large: until they are read, tubes are drawn between the joints.
 void JointViews::loadRobot() {
     using Loaded = core::Expected<view3d::RobotShape>;

@@ -190,6 +190,13 @@ void OperatePage::passOver(SourceManager::Item& item) {
     m_arm->keep(item.arm());
     m_camera->keep(item.camera());
     m_gel->keep(item.gel());
+    m_arm->keepJoints(item.joints());
+    const auto kept = m_keptCharts.find(item.key);
+    if (const auto array = item.array(); array && kept != m_keptCharts.end()) {
+        pipeline::FeatureSample sample;
+        while (array->popSample(sample))
+            kept->second.append(sample);
+    }
     item.channel->drain();
 }
 

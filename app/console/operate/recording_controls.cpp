@@ -35,6 +35,7 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     , m_indicator(new chrome::RecordingIndicator(window))
     , m_record(new QAction(this))
     , m_mark(new QAction(this))
+    , m_playLast(new QAction(this))
     , m_folder(new QAction(this))
     , m_csv(new QAction(this))
     , m_mcap(new QAction(this))
@@ -55,6 +56,8 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
             });
     connect(m_record, &QAction::triggered, this, &RecordingControls::toggle);
     connect(m_mark, &QAction::triggered, this, [this] { mark(core::steadyNow_ns()); });
+    m_playLast->setEnabled(false);
+    connect(m_playLast, &QAction::triggered, this, [this] { emit playRequested(m_last); });
     connect(m_folder, &QAction::triggered, this, &RecordingControls::askForFolder);
     connect(m_csv, &QAction::triggered, this, [this] {
         m_export.setUtc(m_settings.exportsUtc());
@@ -90,6 +93,8 @@ RecordingControls::RecordingControls(RecordingService& service, SourceManager& s
     connect(&m_service, &RecordingService::stateChanged, this, &RecordingControls::update);
     connect(&m_service, &RecordingService::failed, this, &RecordingControls::onFailed);
     connect(&m_service, &RecordingService::finished, this, [this](const QString& path) {
+        m_last = path;
+        m_playLast->setEnabled(true);
         m_page.messages().post(
             {chrome::Message::Severity::information,
              tr("%1 was recorded.", "a file").arg(QFileInfo(path).fileName()),
@@ -118,6 +123,7 @@ void RecordingControls::fill(QMenu& menu) {
     update();
     menu.addAction(m_record);
     menu.addAction(m_mark);
+    menu.addAction(m_playLast);
     menu.addAction(m_folder);
     menu.addSeparator();
     menu.addAction(m_csv);
@@ -218,6 +224,7 @@ void RecordingControls::update() {
     m_record->setEnabled(recording || m_service.state() == RecordingService::State::idle);
     m_mark->setText(tr("&Mark this moment"));
     m_mark->setEnabled(recording);
+    m_playLast->setText(tr("Play the &last recording"));
     m_folder->setText(tr("&Folder of the recordings\u2026"));
     m_csv->setText(tr("&Export recording as CSV\u2026"));
     m_mcap->setText(tr("Ex&port recording as MCAP\u2026"));

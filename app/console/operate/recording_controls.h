@@ -67,11 +67,13 @@ private:
     chrome::RecordingIndicator* m_indicator;
     QAction* m_record;
     QAction* m_mark;
+    QAction* m_playLast;
     QAction* m_folder;
     QAction* m_csv;
     QAction* m_mcap;
     QAction* m_undo;
     QAction* m_redo;
+    QString m_last;    ///< path of the recording that was made last; empty: none
     QString m_problem; ///< of the last recording; empty: none, or another one has begun
 };
 

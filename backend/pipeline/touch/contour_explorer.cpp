@@ -52,6 +52,9 @@ void ContourExplorer::recompute() {
     m_contour.recognition.reset();
     if (points.size() >= ExploredContour::kLeastPoints)
         m_contour.recognition = contour::recogniseShape(points, m_settings.recognition);
+    if (m_contour.recognition && m_contour.recognition->shape == contour::Shape::point &&
+        points.size() < ExploredContour::kLeastOfAPoint)
+        m_contour.recognition.reset();
     m_contour.height_m = std::accumulate(m_heights_m.begin(), m_heights_m.end(), 0.0) /
                          static_cast<double>(m_heights_m.size());
     sampleCurve(m_contour.recognition && m_contour.recognition->closed);

@@ -21,6 +21,7 @@ struct ContourSettings {
 /// spline, closed when the contour comes back to its start, the recognised shape and the mean height. Each
 /// touch counts, also one where the object was touched before. Fewer than
 /// ExploredContour::kLeastPoints touches tell no shape: one is on every object, and two are on a line.
+/// An object is called a point after ExploredContour::kLeastOfAPoint touches in one place.
 /// Thread: one; about a millisecond for 60 points. Source: TeleTA, section 3.
 class ContourExplorer {
 public:

@@ -54,9 +54,9 @@ TEST(ContourExplorer, isDefinedForFewPoints) {
     EXPECT_EQ(explorer.contour().recognition->shape, contour::Shape::line);
 }
 
-TEST(ContourExplorer, threeTouchesInOnePlaceAreAPoint) {
+TEST(ContourExplorer, neighbouringTouchesAreAPointOnlyAfterMany) {
     ContourExplorer explorer;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < pipeline::ExploredContour::kLeastOfAPoint; ++i) {
         EXPECT_FALSE(explorer.contour().recognition);
         explorer.add({0.1, 0.2, 0.3});
     }

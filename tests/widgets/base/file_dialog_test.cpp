@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QScreen>
 #include <QTemporaryDir>
@@ -39,6 +40,18 @@ private slots:
                      qPrintable(QString::number(column)));
         }
         QVERIFY(dialog->screen()->availableGeometry().contains(dialog->geometry()));
+        dialog->reject();
+    }
+
+    void aFolderThatIsNotThereYetIsNotTakenForAFile() {
+        QTemporaryDir folder;
+        QWidget parent;
+        QFileDialog* dialog = askToSave(
+            &parent, {.title = "Save", .folder = folder.filePath("documents/TeleTA"), .name = "run.csv"},
+            [](const QString&) {});
+        QVERIFY(QTest::qWaitForWindowExposed(dialog));
+        QCOMPARE(dialog->directory().canonicalPath(), QDir(folder.path()).canonicalPath());
+        QCOMPARE(QFileInfo(dialog->selectedFiles().value(0)).fileName(), QStringLiteral("run.csv"));
         dialog->reject();
     }
 };

@@ -129,7 +129,7 @@ private slots:
         report.verdict = TaskVerdict{};
         panel.setReport(report);
         QCOMPARE(verdict->text(),
-                 QStringLiteral("So far: task completed\nLast run: task not completed: stalled by the limit "
+                 QStringLiteral("So far: as planned\nLast run: task not completed: stalled by the limit "
                                 "\u201cend of a joint\u201d"));
         panel.setReport(std::nullopt);
         QVERIFY(!verdict->isVisible());

@@ -3,6 +3,7 @@
 #include "tests/widgets/view3d/touch_examples.h"
 #include "widgets/base/theme.h"
 #include "widgets/view3d/mesh/geometry_export.h"
+#include "widgets/view3d/scene/frame_part.h"
 #include "widgets/view3d/scene/touch_scene.h"
 
 #include <QDir>
@@ -455,4 +456,17 @@ TEST(GeometryExport, errorsSayWhatIsWrongAndLeaveNoFile) {
         EXPECT_EQ(lost.error().where.file, path.toStdString());
     }
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST(TouchScene, theGridOfALargeSceneIsNotKeptUnderASmallOne) {
+    view3d::GridPart grid;
+    const auto box = [](double side_m) {
+        return Eigen::AlignedBox3d(Eigen::Vector3d::Constant(-0.5 * side_m),
+                                   Eigen::Vector3d::Constant(0.5 * side_m));
+    };
+    EXPECT_TRUE(grid.cover(box(1.0), false));
+    EXPECT_DOUBLE_EQ(grid.spacing_m(), 0.2);
+    EXPECT_FALSE(grid.cover(box(0.9), false)) << "an arm moves";
+    EXPECT_TRUE(grid.cover(box(0.048), false)) << "an array";
+    EXPECT_DOUBLE_EQ(grid.spacing_m(), 0.01);
 }

@@ -171,7 +171,7 @@ void ParticipantWindow::refresh() {
     large.setBold(m_scene.state == State::stopped);
     m_instruction->setFont(large);
     // Two lines are reserved, so that a long instruction does not move the answers.
-    m_instruction->setMinimumHeight(2 * QFontMetrics(large).lineSpacing());
+    m_instruction->setMinimumHeight(3 * QFontMetrics(large).lineSpacing());
     const QString phase = m_scene.phase == Phase::practice ? tr("Practice") : tr("Test");
     QString title = m_scene.trials == 0 ? m_scene.title
                                         : tr("%1 \u2014 %2, trial %3 of %4", "task, phase, numbers")

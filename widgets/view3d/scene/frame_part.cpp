@@ -19,13 +19,13 @@ void GridPart::applyColours(const SceneColours& colours) {
 bool GridPart::cover(const Eigen::AlignedBox3d& box_m, bool always) {
     constexpr double kMuchTooLarge = 2.5;
     constexpr double kCells = 6.0;
+    const double spacing_m = base::niceStep(std::max(box_m.sizes().maxCoeff(), 1e-6) / kCells);
     const bool covers = !m_box_m.isEmpty() && m_box_m.contains(box_m);
-    const bool oversized =
-        covers && m_box_m.sizes().head<2>().maxCoeff() >
-                      kMuchTooLarge * box_m.sizes().head<2>().maxCoeff() + 4.0 * m_spacing_m;
+    const bool oversized = covers && m_box_m.sizes().head<2>().maxCoeff() >
+                                         kMuchTooLarge * box_m.sizes().head<2>().maxCoeff() + 4.0 * spacing_m;
     if (!always && covers && !oversized)
         return false;
-    m_spacing_m = base::niceStep(std::max(box_m.sizes().maxCoeff(), 1e-6) / kCells);
+    m_spacing_m = spacing_m;
     const Eigen::Vector3d margin(m_spacing_m, m_spacing_m, 0.0);
     Eigen::Vector3d low = box_m.min() - margin;
     Eigen::Vector3d high = box_m.max() + margin;

@@ -31,6 +31,7 @@
 #include <QUndoStack>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace teleta::console {
@@ -407,7 +408,10 @@ QString CameraCalibrator::verdict() const {
     QString text = tr("%1 of %n pair(s) kept; ", nullptr, used).arg(found.kept);
     text += tr("their points are located to within %1 on average; the camera's uncertainty is %2. ")
                 .arg(base::millimetres(found.mean_error_m), base::millimetres(found.uncertainty_m));
-    text += tr("It is valid within %1 of its axis. ").arg(pixels(found.camera.camera().validRadius_px()));
+    const double diagonal_px = std::hypot(m_work.settings.width_px, m_work.settings.height_px);
+    const double valid_px = found.camera.camera().validRadius_px();
+    text += valid_px < diagonal_px ? tr("It is valid within %1 of its axis. ").arg(pixels(valid_px))
+                                   : tr("It is valid in the whole image. ");
     if (m_method == CalibrationMethod::dlt || m_method == CalibrationMethod::paper)
         return text + tr("This method ignores lens distortion: use it only for comparison.");
     if (found.isReliable())
