@@ -24602,6 +24602,10 @@ Lancez teleta-site --help pour en savoir plus.
         <source>Results are kept in a new folder in your documents</source>
         <translation>Les résultats sont gardés dans un nouveau dossier de vos documents</translation>
     </message>
+    <message>
+        <source>Every rung with %1 seeds.</source>
+        <translation>Chaque échelon avec %1 graines.</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::SweepRunning</name>
@@ -25585,11 +25589,11 @@ Lancez teleta-site --help pour en savoir plus.
     </message>
     <message>
         <source>STOP: the arm is held</source>
-        <translation>STOP : le bras est maintenu</translation>
+        <translation>STOP&#xa0;: le bras est maintenu</translation>
     </message>
     <message>
         <source>The arm keeps the pose that it had. It no longer presses beyond it: the force falls to what pushes against the arm.</source>
-        <translation>Le bras garde la pose qu’il avait. Il n’appuie plus au-delà : la force tombe à ce qui pousse contre le bras.</translation>
+        <translation>Le bras garde la pose qu’il avait. Il n’appuie plus au-delà&#xa0;: la force tombe à ce qui pousse contre le bras.</translation>
     </message>
 </context>
 <context>

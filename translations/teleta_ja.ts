@@ -24524,6 +24524,10 @@ Run teleta-site --help for more.
         <source>Results are kept in a new folder in your documents</source>
         <translation>結果はドキュメント内の新しいフォルダーに保存されます</translation>
     </message>
+    <message>
+        <source>Every rung with %1 seeds.</source>
+        <translation>すべての段を %1 個のシードで実行します。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::SweepRunning</name>

@@ -24524,6 +24524,10 @@ Run teleta-site --help for more.
         <source>Results are kept in a new folder in your documents</source>
         <translation>结果保存在您的文档中的新文件夹里</translation>
     </message>
+    <message>
+        <source>Every rung with %1 seeds.</source>
+        <translation>每一级运行 %1 个种子。</translation>
+    </message>
 </context>
 <context>
     <name>teleta::console::SweepRunning</name>

@@ -251,9 +251,12 @@ core::Expected<void> RecordedPlayer::stepBy(long long by) {
 /// Delivers the current frame now, as that of this time, also when paused.
 core::Expected<void> RecordedPlayer::show(std::int64_t time_ns, std::int64_t at_ns) {
     TELETA_CHECK(seekBeside(time_ns));
+    if (m_tracks.joints) // the arm is where it was last, also when nothing goes on
+        TELETA_CHECK(m_tracks.joints->back(1));
     m_jointsJumped = m_temperaturesJumped = true;
     anchorAt(time_ns, at_ns);
     TELETA_CHECK(deliverBeside(time_ns));
+    TELETA_CHECK(playUpTo(m_tracks.joints.get(), time_ns, [this](const PlaybackTrack&) { deliverJoints(); }));
     take();
     m_shown.set({time_ns, m_tracks.frames->frame()});
     deliver();

@@ -232,11 +232,13 @@ void SweepPanel::showSweep() {
             sweepText(QFileInfo(QString::fromStdString(shown->plan.file)).completeBaseName());
         m_title->setText(text.title);
         QString about = text.about.isEmpty() ? QString() : text.about + QLatin1Char('\n');
-        about += shown->plan.cells() == 1 ? tr("%1 runs, one for each seed.").arg(shown->plan.runs())
-                                          : tr("%1 cells, each with %2 seeds: %3 runs.")
-                                                .arg(shown->plan.cells())
-                                                .arg(shown->plan.seeds())
-                                                .arg(shown->plan.runs());
+        about += shown->plan.kind == sweep::SubjectKind::ladder
+                     ? tr("Every rung with %1 seeds.").arg(shown->plan.seeds())
+                 : shown->plan.cells() == 1 ? tr("%1 runs, one for each seed.").arg(shown->plan.runs())
+                                            : tr("%1 cells, each with %2 seeds: %3 runs.")
+                                                  .arg(shown->plan.cells())
+                                                  .arg(shown->plan.seeds())
+                                                  .arg(shown->plan.runs());
         if (shown->results)
             about += QLatin1Char(' ') + tr("%1 done, %2 failed, in %3.")
                                             .arg(shown->results->done)

@@ -28,7 +28,8 @@ protected:
         m_arm.reset();
     }
 
-    void write(int frames) {
+    /// late_ns: of the joints, after the instants of the frames.
+    void write(int frames, std::int64_t late_ns = 0) {
         auto recorder = Recorder::start(path(), headAt(kStart_ns), {.simulatedTime = true}).value();
         const auto array = recorder->addStream(arrayInfo());
         const auto joints = recorder->addStream(jointStream(100.0, 4));
@@ -40,7 +41,7 @@ protected:
                 sample.angle_rad = {10.0 * i + k, 0.0, 0.0, 0.0};
                 sample.torque_Nm = {0.0, 0.0, 0.0, 0.5};
                 const auto values = jointValues(sample, 4);
-                joints->append(first_ns + i * kTenth_ns + k * kTenth_ns / 10, 0.0,
+                joints->append(first_ns + late_ns + i * kTenth_ns + k * kTenth_ns / 10, 0.0,
                                std::span<const double>(values));
             }
         }
@@ -184,6 +185,23 @@ TEST_F(RecordedDeviceTest, anArmIsPlayedInStepWithItsSkin) {
     EXPECT_EQ(received(), (Values{0.0F, 1.0F}));
     EXPECT_EQ(last_ns, m_time_ns.back()) << "the sample and the frame of the same instant";
     EXPECT_EQ(m_arm->status().framesRead, 11U);
+}
+
+TEST_F(RecordedDeviceTest, aPausedArmThatIsSetBackStandsWhereItWasThen) {
+    write(10, kTenth_ns / 20);
+    open(true);
+    m_clock->advance(kTenth_ns);
+    m_array->pause();
+    ASSERT_TRUE(comesTo(core::DeviceState::paused));
+    (void)received();
+    core::JointSample sample;
+    while (m_arm->joints().pop(sample)) {
+    }
+    m_array->seek(0.65);
+    EXPECT_EQ(take(1), Values{7.0F});
+    ASSERT_TRUE(m_arm->joints().pop(sample));
+    EXPECT_EQ(sample.angle_rad[0], 69.0) << "half a sample before the frame";
+    EXPECT_FALSE(m_arm->joints().pop(sample));
 }
 
 TEST_F(RecordedDeviceTest, speedPauseSeekStepAndLoopAreControlled) {
