@@ -5617,6 +5617,11 @@ Exemples&#xa0;:
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>several</source>
+        <comment>contacts</comment>
+        <translation>plusieurs</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -17127,8 +17132,8 @@ Lancez teleta-site --help pour en savoir plus.
         <translation>%1&#xa0;:&#xa0;%2&#xa0;%3</translation>
     </message>
     <message>
-        <source>interrupted, will be repeated</source>
-        <translation>interrompu, sera repris</translation>
+        <source>interrupted, repeated later</source>
+        <translation>interrompu, repris plus tard</translation>
     </message>
 </context>
 <context>
@@ -19461,6 +19466,11 @@ Lancez teleta-site --help pour en savoir plus.
     <message>
         <source>Frames lost: not counted by the sensor</source>
         <translation>Trames perdues&#xa0;: non comptées par le capteur</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <comment>a recording</comment>
+        <translation>en lecture</translation>
     </message>
 </context>
 <context>

@@ -5604,6 +5604,11 @@ Examples:
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>several</source>
+        <comment>contacts</comment>
+        <translation>複数</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -17082,8 +17087,8 @@ Run teleta-site --help for more.
         <translation>%1: %2 %3</translation>
     </message>
     <message>
-        <source>interrupted, will be repeated</source>
-        <translation>中断、再提示</translation>
+        <source>interrupted, repeated later</source>
+        <translation>中断、後で再提示</translation>
     </message>
 </context>
 <context>
@@ -19404,6 +19409,11 @@ Run teleta-site --help for more.
     <message>
         <source>Frames lost: not counted by the sensor</source>
         <translation>フレーム損失: センサーは数えません</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <comment>a recording</comment>
+        <translation>再生中</translation>
     </message>
 </context>
 <context>

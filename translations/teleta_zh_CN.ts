@@ -5604,6 +5604,11 @@ Examples:
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>several</source>
+        <comment>contacts</comment>
+        <translation>多个</translation>
+    </message>
 </context>
 <context>
     <name>HeatmapView</name>
@@ -9013,11 +9018,11 @@ Run %2 --help for more.
     </message>
     <message>
         <source>Recording</source>
-        <translation>录制</translation>
+        <translation>记录</translation>
     </message>
     <message>
         <source>Each session is recorded.</source>
-        <translation>录制每个场次。</translation>
+        <translation>记录每个场次。</translation>
     </message>
     <message>
         <source>Test trials</source>
@@ -17082,8 +17087,8 @@ Run teleta-site --help for more.
         <translation>%1：%2 %3</translation>
     </message>
     <message>
-        <source>interrupted, will be repeated</source>
-        <translation>已中断，将重新呈现</translation>
+        <source>interrupted, repeated later</source>
+        <translation>已中断，稍后重新呈现</translation>
     </message>
 </context>
 <context>
@@ -19404,6 +19409,11 @@ Run teleta-site --help for more.
     <message>
         <source>Frames lost: not counted by the sensor</source>
         <translation>丢失的帧：传感器不计数</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <comment>a recording</comment>
+        <translation>播放中</translation>
     </message>
 </context>
 <context>
@@ -23453,7 +23463,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>Play the &amp;last recording</source>
-        <translation>播放最近的录制(&amp;L)</translation>
+        <translation>播放最近的记录(&amp;L)</translation>
     </message>
 </context>
 <context>

@@ -139,6 +139,9 @@ QString DeviceStrip::compose(const Cell& cell, Detail detail, const QString& nam
     if (reading.state == core::DeviceState::stale || reading.state == core::DeviceState::lost)
         word = tr("%1 for %2", "state of a device and its age").arg(word, base::ageText(reading.age_s));
     const bool live = reading.state == core::DeviceState::live;
+    if (live && (reading.provenance == base::Provenance::recorded ||
+                 reading.provenance == base::Provenance::recordedSimulation))
+        word = tr("playing", "a recording");
     QStringList parts{name};
     // The symbol alone says that a device works.
     if (!live || detail < Detail::nameAndRate)

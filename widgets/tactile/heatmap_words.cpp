@@ -90,7 +90,12 @@ void HeatmapPainter::paintHeader() {
         pairs.push_back({tr("shear"), base::withUnit(m_content->shearText, m_content->unit()), {}});
     pairs.push_back({tr("contacts"), QString::number(m_content->contacts()), QStringLiteral("88")});
     static constexpr std::array kTypes{QT_TR_NOOP("none"), QT_TR_NOOP("point"), QT_TR_NOOP("edge")};
-    pairs.push_back({tr("type"), tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]), tr("point")});
+    // The features are of all loads together: those of several contacts have no type.
+    const QString type = m_content->contacts() > 1 ? tr("several", "contacts")
+                         : m_content->contacts() == 0
+                             ? tr("none")
+                             : tr(kTypes[static_cast<std::size_t>(snapshot.features.type)]);
+    pairs.push_back({tr("type"), type, tr("point")});
     // No load is shown without the mark that it is extrapolated.
     const QString mark = m_content->extrapolated ? tr("extrapolated", "loads") : QString();
     const double markWidth = mark.isEmpty() ? 0.0 : wide(mark, normal) + 1.2 * m_em;

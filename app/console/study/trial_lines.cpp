@@ -35,7 +35,7 @@ std::pair<QString, Tone> outcomeText(study::Outcome outcome) {
     case study::Outcome::deviceError:
         break;
     }
-    return {LineText::tr("interrupted, will be repeated"), Tone::alarm};
+    return {LineText::tr("interrupted, repeated later"), Tone::alarm};
 }
 
 } // namespace

@@ -36,6 +36,17 @@ private slots:
         QVERIFY(strip.accessibleDescription().contains("array"));
     }
 
+    void aRecordingIsPlayingAndNotLive() {
+        DeviceStrip strip;
+        DeviceReading reading = live("run");
+        for (const Provenance provenance : {Provenance::recorded, Provenance::recordedSimulation}) {
+            reading.provenance = provenance;
+            strip.setReadings({reading});
+            QVERIFY2(strip.text(0).contains("playing") && !strip.text(0).contains("live"),
+                     qPrintable(strip.text(0)));
+        }
+    }
+
     void saysThatTheSensorDoesNotCountItsLosses() {
         DeviceStrip strip;
         strip.resize(400, 40);

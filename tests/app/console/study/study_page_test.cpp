@@ -258,7 +258,7 @@ private slots:
         // A person stopped it, so no device is said to have failed.
         QVERIFY(!sessionPanel().scene().outcomes.empty());
         QCOMPARE(sessionPanel().scene().outcomes.front().outcome,
-                 QStringLiteral("interrupted, will be repeated"));
+                 QStringLiteral("interrupted, repeated later"));
         doTrial();
     }
 
