@@ -20159,7 +20159,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>It is valid in the whole image. </source>
-        <translation>画像全体で有効です。</translation>
+        <translation>画像全体で有効です。 </translation>
     </message>
 </context>
 <context>

@@ -20159,7 +20159,7 @@ Run teleta-site --help for more.
     </message>
     <message>
         <source>It is valid in the whole image. </source>
-        <translation>它在整幅图像中有效。</translation>
+        <translation>它在整幅图像中有效。 </translation>
     </message>
 </context>
 <context>

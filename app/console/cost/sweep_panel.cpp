@@ -230,7 +230,7 @@ void SweepPanel::showSweep() {
     if (shown != nullptr) {
         const SweepText text =
             sweepText(QFileInfo(QString::fromStdString(shown->plan.file)).completeBaseName());
-        m_title->setText(text.title);
+        m_title->setText(text.about.isEmpty() ? QString::fromStdString(shown->plan.subject) : text.title);
         QString about = text.about.isEmpty() ? QString() : text.about + QLatin1Char('\n');
         about += shown->plan.kind == sweep::SubjectKind::ladder
                      ? tr("Every rung with %1 seeds.").arg(shown->plan.seeds())

@@ -58,7 +58,7 @@ struct TouchRecord {
 /// What the touches so far tell of the object's shape, in the x-y plane of the arm's base.
 struct ExploredContour {
     static constexpr std::size_t kLeastPoints = 3; ///< with fewer there is no recognition
-    /// Touches in one place are neighbours on any object until there are this many.
+    /// Of fewer touches in one place, a larger object may lie beside them.
     static constexpr std::size_t kLeastOfAPoint = 8;
 
     std::uint64_t revision = 0;           ///< grows with each change; 0: nothing was explored
