@@ -39,7 +39,7 @@ QString csvOf(const CalibratedPairs& shown) {
 } // namespace
 
 ResidualView::ResidualView(ResidualPicture::Surface surface, QWidget* parent)
-    : PictureView(parent, {32, 16}, {14, 12}) {
+    : PictureView(parent, {32, 16}, {13, 12}) {
     m_picture.surface = surface;
     base::keepTranslated(this, &ResidualView::retranslate);
 }

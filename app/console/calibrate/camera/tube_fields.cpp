@@ -12,6 +12,11 @@
 
 namespace teleta::console {
 
+namespace {
+/// Of a usual length; the longest would leave too little room in a narrow window.
+constexpr double kLength_em = 6.0;
+} // namespace
+
 TubeFields::TubeFields(QWidget* parent)
     : QWidget(parent)
     , m_imageLabel(new QLabel(this))
@@ -31,6 +36,7 @@ TubeFields::TubeFields(QWidget* parent)
     }
     for (QDoubleSpinBox* box : {m_radius, m_length}) {
         box->setRange(0.1, 10'000.0);
+        box->setMinimumWidth(base::em(this, kLength_em));
         box->setDecimals(2);
         box->setSuffix(QStringLiteral("\u00a0mm"));
         box->setKeyboardTracking(false);
