@@ -3,7 +3,7 @@
 
 #include "app/common/translation.h"
 #include "app/common/version.h"
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/study/study_page.h"
 
 #include <QCommandLineParser>

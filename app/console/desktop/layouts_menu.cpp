@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/desktop/layouts_menu.h"
 
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "widgets/base/mnemonics.h"
 
 #include <QAction>

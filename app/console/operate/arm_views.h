@@ -3,8 +3,8 @@
 
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/bracelet/feedback_panel.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/operate/joint_views.h"
-#include "app/console/operate/operate_docks.h"
 #include "backend/arm/arm4_kinematics.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/arm_channel.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/operate/joint_dials.h"
-#include "app/console/operate/operate_docks.h"
 #include "backend/core/threads/stop_switch.h"
 #include "backend/pipeline/joint_channel.h"
 #include "backend/stiffness/joint_sample.h"

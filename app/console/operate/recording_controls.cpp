@@ -4,7 +4,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording/mark_views.h"
 #include "app/console/operate/recording/recording_files.h"
-#include "app/console/operate/site_views.h"
+#include "app/console/operate/site/site_views.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/file_dialog.h"
 #include "widgets/base/redo_keys.h"

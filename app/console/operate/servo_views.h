@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "backend/servo/servo_link.h"
 #include "widgets/base/controls/badge.h"
 #include "widgets/view3d/scene/scene_types.h"

@@ -2,9 +2,9 @@
 // The console at a site with a simulated arm, over the loopback interface: connected by its file, moved by
 // keys. Another console, which only looks, says what the site thinks of it.
 #include "app/console/console_options.h"
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/operate/operate_page.h"
-#include "app/console/operate/site_views.h"
+#include "app/console/operate/site/site_views.h"
 #include "tests/app/console/window_bench.h"
 #include "tests/peer/site/site_process.h"
 #include "widgets/base/theme.h"

@@ -2,7 +2,7 @@
 // The console with a robot of Fast DDS and MuJoCo, over the loopback interface: it is opened by its file,
 // shown, and moved by keys. The robot's log says where the arm was.
 #include "app/console/console_options.h"
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/operate/operate_page.h"
 #include "tests/app/console/window_bench.h"
 #include "tests/support/peer_process.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/operate/arm_servo_views.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/operate/joint_views.h"
-#include "app/console/operate/operate_docks.h"
 #include "backend/core/steady_time.h"
 #include "backend/pipeline/arm_channel.h"
 #include "tests/backend/arm_servo/servo_bench.h"

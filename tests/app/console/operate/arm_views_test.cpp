@@ -2,7 +2,7 @@
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/main_window.h"
 #include "app/console/operate/arm_views.h"
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "app/console/operate/operate_page.h"
 #include "app/console/patterns/patterns_page.h"
 #include "backend/core/steady_time.h"

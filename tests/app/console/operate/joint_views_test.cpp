@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/bracelet/bracelet_service.h"
 #include "app/console/operate/arm_views.h"
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "backend/arm_model/motion_limits.h"
 #include "backend/arm_model/serial_chain.h"
 #include "backend/arm_model/urdf_reader.h"

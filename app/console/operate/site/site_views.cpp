@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/site_views.h"
+#include "app/console/operate/site/site_views.h"
 
-#include "app/console/operate/site_events.h"
+#include "app/console/operate/site/site_events.h"
 #include "backend/core/steady_time.h"
 #include "widgets/base/background.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/dock_tabs.h"
+#include "app/console/operate/docks/dock_tabs.h"
 
 #include "widgets/base/theme.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/operate/site_events.h"
+#include "app/console/operate/site/site_events.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the docks of each kind of source stand, and how they share the room.
-#include "app/console/operate/operate_docks.h"
+#include "app/console/operate/docks/operate_docks.h"
 #include "widgets/base/theme.h"
 
 #include <QDockWidget>
