@@ -3,18 +3,28 @@
 
 #include "widgets/base/theme.h"
 
+#include <QListWidget>
 #include <QStyledItemDelegate>
 #include <QWidget>
 
 namespace teleta::console {
 
-/// Keeps the items of a list apart, and those under a heading below it; a heading is an item that is not
-/// enabled. The list's own spacing makes items narrower than it has counted their lines for. Thread: GUI.
+/// Keeps the items of a list apart, with more room above a heading, which is an item that is not enabled. The
+/// list's own spacing makes items narrower than it has counted their lines for. Thread: GUI.
 class ApartItems : public QStyledItemDelegate {
 public:
     explicit ApartItems(QWidget* list)
         : QStyledItemDelegate(list)
         , m_gap(base::grid(list, 0.5)) {}
+
+    /// Adds a heading without a text at the end of a list, which owns it.
+    static QListWidgetItem* addHeading(QListWidget& list) {
+        auto* heading = new QListWidgetItem(&list);
+        heading->setFlags(Qt::NoItemFlags);
+        heading->setFont(base::bold(list.font()));
+        heading->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        return heading;
+    }
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
                                  const QModelIndex& index) const override {

@@ -188,11 +188,7 @@ QWidget* CostPage::makeLadderColumn() {
     while (!left.empty()) {
         const std::optional<cost::Topic> topic = left.front()->topic;
         if (topic) {
-            auto* head = new QListWidgetItem(m_list);
-            head->setFlags(Qt::NoItemFlags);
-            head->setFont(base::bold(m_list->font()));
-            head->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
-            head->setData(kTopicRole, static_cast<int>(*topic));
+            ApartItems::addHeading(*m_list)->setData(kTopicRole, static_cast<int>(*topic));
         }
         std::erase_if(left, [&](const cost::Ladder* ladder) {
             if (ladder->topic != topic)

@@ -9,6 +9,7 @@
 #include "widgets/base/compose.h"
 #include "widgets/base/figure/svg_view.h"
 #include "widgets/base/file_dialog.h"
+#include "widgets/base/rows_html.h"
 #include "widgets/base/theme.h"
 #include "widgets/chrome/empty_state.h"
 
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace teleta::console {
 
@@ -40,15 +42,6 @@ namespace {
 constexpr int kOfTopicRole = Qt::UserRole + 1;
 /// Rows of the table; runs.csv and cells.csv have all.
 constexpr int kMostRows = 2000;
-
-/// Rows of a name and what belongs to it.
-QString rowsText(const QList<std::pair<QString, QString>>& rows) {
-    QString text = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">");
-    for (const auto& [name, value] : rows)
-        text += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
-    return text + QStringLiteral("</table>");
-}
 
 QString numberText(const std::optional<double>& value) {
     return value ? QLocale().toString(*value, 'g', 4) : QStringLiteral("\u2014");
@@ -131,11 +124,7 @@ void SweepPanel::fillList() {
     while (!left.isEmpty()) {
         const QString topic = sweepText(left.front()).topic;
         if (!topic.isEmpty()) {
-            auto* head = new QListWidgetItem(m_list);
-            head->setFlags(Qt::NoItemFlags);
-            head->setFont(base::bold(m_list->font()));
-            head->setTextAlignment(Qt::AlignLeft | Qt::AlignBottom);
-            head->setData(kOfTopicRole, left.front());
+            ApartItems::addHeading(*m_list)->setData(kOfTopicRole, left.front());
         }
         left.removeIf([&](const QString& name) {
             if (sweepText(name).topic != topic)
@@ -258,25 +247,25 @@ void SweepPanel::showSweep() {
 
 QString SweepPanel::planText(const sweep::SweepPlan& plan) {
     constexpr std::size_t kMostValues = 12;
-    QList<std::pair<QString, QString>> rows;
-    rows.emplaceBack(plan.kind == sweep::SubjectKind::scene   ? tr("Scene")
-                     : plan.kind == sweep::SubjectKind::study ? tr("Protocol")
-                                                              : tr("Ladder"),
-                     QString::fromStdString(plan.subject));
+    std::vector<std::pair<QString, QString>> rows;
+    rows.emplace_back(plan.kind == sweep::SubjectKind::scene   ? tr("Scene")
+                      : plan.kind == sweep::SubjectKind::study ? tr("Protocol")
+                                                               : tr("Ladder"),
+                      QString::fromStdString(plan.subject));
     for (const sweep::SweepAxis& axis : plan.axes) {
         QStringList values;
         for (std::size_t i = 0; i < std::min(axis.values.size(), kMostValues); ++i)
             values << sweep::valueText(axis, i);
         if (axis.values.size() > kMostValues)
             values << QStringLiteral("\u2026 ") + sweep::valueText(axis, axis.values.size() - 1);
-        rows.emplaceBack(sweep::axisTitle(axis), values.join(QStringLiteral(", ")));
+        rows.emplace_back(sweep::axisTitle(axis), values.join(QStringLiteral(", ")));
     }
     QStringList measures;
     for (const std::string& measure : plan.measures)
         measures << QString::fromStdString(measure);
-    rows.emplaceBack(tr("Measured"),
-                     measures.isEmpty() ? tr("all numbers of a run") : measures.join(QStringLiteral(", ")));
-    return rowsText(rows);
+    rows.emplace_back(tr("Measured"),
+                      measures.isEmpty() ? tr("all numbers of a run") : measures.join(QStringLiteral(", ")));
+    return base::rowsHtml(rows);
 }
 
 void SweepPanel::showMeasure() {

@@ -103,7 +103,7 @@ void ArmViews::setArm(const std::shared_ptr<pipeline::JointChannel>& arm, base::
     std::erase_if(m_kept, [](const auto& entry) { return entry.first.expired(); });
     if (!m_arm)
         return;
-    if (m_feltOf.lock() != m_arm) { // what was felt of another one is no news of this one
+    if (m_feltOf.lock() != m_arm) { // what was felt belongs to the other arm
         m_bracelet.forgetFeedback();
         m_feedback->forgetLast();
     }

@@ -100,7 +100,7 @@ private:
     void takeTouches();
     void showTouch(const pipeline::TouchRecord& record);
     void judge(const pipeline::TouchRecord& record);
-    /// Of a recording that was set back: the gauge has the newest touch before this time.
+    /// After a recording was set back: shows the newest touch up to this time in the gauge.
     void judgeAt(double time_s);
     void show(const pipeline::ArmSnapshot& snapshot);
     /// The surface and the tip of such an arm.

@@ -46,7 +46,7 @@ public:
     /// again when it comes back.
     void setArm(std::shared_ptr<pipeline::JointChannel> arm, base::Provenance provenance);
     [[nodiscard]] const std::shared_ptr<pipeline::JointChannel>& arm() const { return m_arm; }
-    /// Takes what the chart of an open arm that is not shown will have when it comes back; null: none.
+    /// Stores samples of an open arm that is not shown, for its chart when it is shown again; null: none.
     void keep(const std::shared_ptr<pipeline::JointChannel>& arm);
     /// Motion of a 3D mouse, and a line about its state.
     void setHand(const std::optional<touch::HandMotion>& hand, const QString& text);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/study/forms/protocol_summary.h"
 
+#include "widgets/base/rows_html.h"
 #include "widgets/study/study_names.h"
 
 #include <QCoreApplication>
@@ -30,21 +31,21 @@ public:
         for (const std::string& author : m_protocol.authors)
             authors << QString::fromStdString(author);
         text += paragraph(authors.join(QStringLiteral("; ")));
-        text +=
-            table({{tr("Each trial"), trial()},
-                   {tr("Practice"), phase(m_protocol.practice)},
-                   {tr("Test"), phase(m_protocol.test)},
-                   {tr("Order"), m_protocol.order == study::OrderMethod::fullRandom
-                                     ? tr("All repetitions together, in random order.")
-                                     : tr("Each repetition in a random order.")},
-                   {tr("Rests"), rests()},
-                   {tr("Masking noise"), noise()},
-                   {tr("Recording"), m_protocol.recordSessions ? tr("Each session is recorded.") : QString()},
-                   {tr("Test trials"), tr("%n for each participant, at most.", nullptr,
-                                          static_cast<int>(m_protocol.testTrials()))}});
+        text += base::rowsHtml(
+            {{tr("Each trial"), trial()},
+             {tr("Practice"), phase(m_protocol.practice)},
+             {tr("Test"), phase(m_protocol.test)},
+             {tr("Order"), m_protocol.order == study::OrderMethod::fullRandom
+                               ? tr("All repetitions together, in random order.")
+                               : tr("Each repetition in a random order.")},
+             {tr("Rests"), rests()},
+             {tr("Masking noise"), noise()},
+             {tr("Recording"), m_protocol.recordSessions ? tr("Each session is recorded.") : QString()},
+             {tr("Test trials"),
+              tr("%n for each participant, at most.", nullptr, static_cast<int>(m_protocol.testTrials()))}});
         for (const study::StudyTask& task : m_protocol.tasks)
             text += QStringLiteral("<h3>%1</h3>").arg(study::displayName(task).toHtmlEscaped()) +
-                    table(taskRows(task));
+                    base::rowsHtml(taskRows(task));
         std::vector<Row> asked;
         for (const study::Questionnaire& one : m_protocol.questionnaires)
             asked.emplace_back(QString::fromStdString(one.title),
@@ -67,17 +68,7 @@ private:
         return text.isEmpty() ? QString() : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
     }
     static QString section(const QString& title, const std::vector<Row>& rows) {
-        return rows.empty() ? QString() : QStringLiteral("<h3>%1</h3>").arg(title) + table(rows);
-    }
-
-    /// Without rows that say nothing.
-    static QString table(const std::vector<Row>& rows) {
-        QString text = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">");
-        for (const auto& [name, value] : rows)
-            if (!value.isEmpty())
-                text += QStringLiteral("<tr><td width=\"130\">%1</td><td>%2</td></tr>")
-                            .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
-        return text + QStringLiteral("</table>");
+        return rows.empty() ? QString() : QStringLiteral("<h3>%1</h3>").arg(title) + base::rowsHtml(rows);
     }
 
     [[nodiscard]] QString trial() const {
